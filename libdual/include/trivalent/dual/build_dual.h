@@ -1,0 +1,23 @@
+#pragma once
+
+#include "trivalent/dual/network.h"
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::dual {
+
+/// Bond length of graphene-like carbon used to size shells [Å].
+inline constexpr double default_bond_length = 1.42;
+
+/// Edge length of equilateral triangles whose centroids are one bond apart: √3 · bond.
+[[nodiscard]] double edge_length_for_bond(double bond);
+
+/// Takes the dual: one atom at each face's centroid, one bond per interior edge, one ring per interior
+/// vertex (atoms counter-clockwise seen from outside). Atom i belongs to face i.
+///
+/// @throws InvalidNetwork if the mesh has no faces.
+[[nodiscard]] Network build_dual(const remesh::TriMesh& mesh);
+
+/// Mean bond length [Å]; 0 without bonds.
+[[nodiscard]] double mean_bond_length(const Network& network);
+
+}  // namespace trivalent::dual

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// Statistics of a list of numbers.
+struct Spread {
+  double mean = 0.0;
+  double standard_deviation = 0.0;  ///< of the population (divided by n)
+  double min = 0.0;
+  double max = 0.0;
+  /// Coefficient of variation: standard deviation / mean; 0 for an empty list.
+  [[nodiscard]] double relative() const { return mean == 0.0 ? 0.0 : standard_deviation / mean; }
+};
+
+/// How regular a mesh is. Lengths in the mesh's own unit, angles in radian.
+struct MeshQuality {
+  int vertices = 0;  ///< used by at least one face
+  int edges = 0;
+  int faces = 0;
+  int euler_characteristic = 0;  ///< vertices - edges + faces
+  int components = 0;
+  int boundary_loops = 0;
+  Spread edge_length;
+  std::map<int, int> valences;  ///< interior vertices by valence
+  double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices; 0 if none
+  double smallest_angle = 0.0;  ///< [rad]
+  double largest_angle = 0.0;   ///< [rad]
+  int self_intersections = 0;   ///< pairs of faces that meet elsewhere than in shared vertices or edges
+};
+
+/// Measures a mesh. Cost: O(n log n) for n faces, dominated by the intersection test.
+[[nodiscard]] MeshQuality measure_quality(const TriMesh& mesh);
+
+/// Distance between surfaces, over area-uniform samples; `max` also looks at every vertex, and is a
+/// lower bound of the Hausdorff distance. In the meshes' own unit.
+struct SurfaceDistance {
+  double max = 0.0;
+  double mean = 0.0;
+  double root_mean_square = 0.0;
+};
+
+/// Both directions, since neither bounds the other.
+struct TwoSidedDistance {
+  SurfaceDistance to_original;    ///< from samples of the mesh to the original
+  SurfaceDistance from_original;  ///< from samples of the original to the mesh
+  double diagonal = 0.0;          ///< bounding-box diagonal of the original
+  [[nodiscard]] double max() const;               ///< the larger of both directions
+  [[nodiscard]] double root_mean_square() const;  ///< the larger of both directions
+};
+
+/// @param samples  Points per direction, >= 1; the same for every call with the same meshes.
+/// @throws InvalidMesh   if one of the meshes has no face with an area.
+/// @throws InvalidOption if samples < 1.
+[[nodiscard]] TwoSidedDistance measure_distance(const TriMesh& mesh, const TriMesh& original,
+                                                int samples = 200000);
+
+}  // namespace trivalent::remesh

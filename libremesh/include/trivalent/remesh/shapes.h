@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// A built-in surface: its name, what it is, and its parameters.
+struct ShapeParameter {
+  std::string name;
+  double default_value = 0.0;  ///< in the shape's own unit of length, or a count where said
+  std::string meaning;
+};
+struct ShapeDescription {
+  std::string name;
+  std::string meaning;
+  std::vector<ShapeParameter> parameters;
+};
+
+/// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube, wavy-sheet.
+[[nodiscard]] const std::vector<ShapeDescription>& built_in_shapes();
+
+/// A value for one of a shape's parameters.
+struct ShapeArgument {
+  std::string name;
+  double value = 0.0;
+};
+
+/// Makes a built-in shape; parameters not given take their defaults.
+///
+/// @param edge_length  Wanted edge length of the triangles, in the shape's own unit, > 0.
+/// @throws InvalidOption if the name or a parameter is unknown, or a value out of its range.
+[[nodiscard]] TriMesh make_shape(std::string_view name, const std::vector<ShapeArgument>& arguments,
+                                 double edge_length);
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,51 @@
+# Build helpers: every target of the project is made by one of these, so that flags stand here once.
+
+function(trivalent_warnings target)
+  # gcc's -Wmaybe-uninitialized sees Eigen vectors that OpenMesh value-initializes as uninitialized.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+    $<$<BOOL:${TRIVALENT_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# trivalent_add_library(remesh SOURCES src/a.cpp ...): library trivalent::remesh, installed and exported.
+function(trivalent_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+  set(target trivalent_${name})
+  add_library(${target} ${ARG_SOURCES})
+  add_library(trivalent::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE src)
+  trivalent_warnings(${target})
+  install(TARGETS ${target} EXPORT trivalentTargets)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# trivalent_add_test(libremesh_tests SOURCES a_test.cpp ... LIBRARIES trivalent::remesh)
+function(trivalent_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  trivalent_warnings(${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
+  target_compile_definitions(${name} PRIVATE
+    TRIVALENT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+    TRIVALENT_MESHES="${TRIVALENT_MESHES}")
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()
+
+# Installs the libraries as the CMake package `trivalent`.
+function(trivalent_install_package)
+  include(CMakePackageConfigHelpers)
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/trivalent)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/scripts/cmake/trivalentConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/trivalentConfig.cmake INSTALL_DESTINATION ${destination})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/trivalentConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/trivalentConfig.cmake
+                ${PROJECT_BINARY_DIR}/trivalentConfigVersion.cmake DESTINATION ${destination})
+  install(EXPORT trivalentTargets NAMESPACE trivalent:: DESTINATION ${destination})
+endfunction()
