@@ -60,7 +60,7 @@ class Polygonizer {
 
   static std::uint64_t key_of(const Site& s) {
     // 21 bits each, from -2^20; the face limit of make_shape keeps coordinates far below that.
-    const auto bits = [](int x) { return static_cast<std::uint64_t>(x + (1 << 20)); };
+    const auto bits = [](int x) { return static_cast<std::uint64_t>(std::int64_t{x} + (1 << 20)); };
     return bits(s[0]) << 42 | bits(s[1]) << 21 | bits(s[2]);
   }
 
@@ -150,7 +150,9 @@ class Polygonizer {
     const Site center = low + Site{1, 1, 1};
     const int from = node_at(center);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Site along{}, right{}, up{};
+      Site along{};
+      Site right{};
+      Site up{};
       along[axis] = 2;
       right[(axis + 1) % 3] = 2;
       up[(axis + 2) % 3] = 2;
@@ -166,8 +168,10 @@ class Polygonizer {
   /// All tetrahedra come with one orientation: the last corner sees the first three
   /// counter-clockwise.
   void march_tetrahedron(std::array<int, 4> corner) {
-    std::array<std::size_t, 4> inside{}, outside{};
-    std::size_t n_inside = 0, n_outside = 0;
+    std::array<std::size_t, 4> inside{};
+    std::array<std::size_t, 4> outside{};
+    std::size_t n_inside = 0;
+    std::size_t n_outside = 0;
     for (std::size_t k = 0; k < 4; ++k) {
       if (nodes_[static_cast<std::size_t>(corner[k])].value < 0.0)
         inside[n_inside++] = k;
@@ -189,7 +193,8 @@ class Polygonizer {
       const bool even =
           (p == 0 && q == 1) || (p == 0 && q == 3) || (p == 1 && q == 2) || (p == 2 && q == 3);
       if (!even) std::swap(p, q);
-      const std::size_t r = outside[0], s = outside[1];
+      const std::size_t r = outside[0];
+      const std::size_t s = outside[1];
       add_quad({cut(p, r), cut(p, s), cut(q, s), cut(q, r)});
     }
   }

@@ -94,7 +94,8 @@ void measure_angles(const TriMesh& mesh, MeshQuality& quality) {
       const auto at = [&](std::size_t corner) {
         return mesh.point(VertexHandle(triangle[corner % 3]));
       };
-      const Eigen::Vector3d a = at(k + 1) - at(k), b = at(k + 2) - at(k);
+      const Eigen::Vector3d a = at(k + 1) - at(k);
+      const Eigen::Vector3d b = at(k + 2) - at(k);
       // Unlike the arc cosine, exact for the smallest angles too.
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
       quality.smallest_angle = std::min(quality.smallest_angle, angle);

@@ -47,7 +47,8 @@ class IntersectionTest {
 
   /// Whether two faces, each with an area, meet elsewhere than in what they share.
   [[nodiscard]] bool operator()(const FacePair& pair) const {
-    Corners a = corners_[pair.a], b = corners_[pair.b];
+    Corners a = corners_[pair.a];
+    Corners b = corners_[pair.b];
     switch (shared_to_front(a, b)) {
       case 0:
         return CGAL::do_intersect(triangle(a), triangle(b));

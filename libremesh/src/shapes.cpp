@@ -91,7 +91,9 @@ class Subdivision {
   [[nodiscard]] const Triangles& result() const { return fine_; }
 
  private:
-  Eigen::Vector3d corner(int v) const { return coarse_.points[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] Eigen::Vector3d corner(int v) const {
+    return coarse_.points[static_cast<std::size_t>(v)];
+  }
 
   int add_point(const Eigen::Vector3d& p) {
     fine_.points.push_back(p);
@@ -181,8 +183,10 @@ struct Row {
 
 /// Fills the strip between two rows, always with the diagonal that leans less.
 void stitch(const Row& lower, const Row& upper, Triangles& mesh) {
-  std::size_t i = 0, j = 0;
-  const std::size_t last_lower = lower.vertices.size() - 1, last_upper = upper.vertices.size() - 1;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  const std::size_t last_lower = lower.vertices.size() - 1;
+  const std::size_t last_upper = upper.vertices.size() - 1;
   while (i < last_lower || j < last_upper) {
     const bool along_lower =
         j == last_upper || (i < last_lower && std::abs(lower.at[i + 1] - upper.at[j]) <=
@@ -250,7 +254,8 @@ void append_line(std::vector<ProfilePoint>& profile, const ProfilePoint& end, in
 
 TriMesh torus(const Request& request) {
   check_positive(request, {"R", "r"});
-  const double R = request.at("R"), r = request.at("r");
+  const double R = request.at("R");
+  const double r = request.at("r");
   if (r >= R) {
     throw InvalidOption(concat("make_shape: torus: r = ", r, " must be smaller than R = ", R));
   }
@@ -268,7 +273,8 @@ TriMesh torus(const Request& request) {
 
 TriMesh capsule(const Request& request) {
   check_positive(request, {"radius", "length"});
-  const double radius = request.at("radius"), length = request.at("length");
+  const double radius = request.at("radius");
+  const double length = request.at("length");
   check_face_count(request, 2.0 * pi * radius * (2.0 * radius + length));
   const double row_height = unit_triangle_height * request.edge_length;
   const int cap_rows = pieces(request, 0.5 * pi * radius, row_height, 2);
@@ -287,7 +293,8 @@ TriMesh capsule(const Request& request) {
 
 TriMesh tube(const Request& request) {
   check_positive(request, {"radius", "length"});
-  const double radius = request.at("radius"), length = request.at("length");
+  const double radius = request.at("radius");
+  const double length = request.at("length");
   check_face_count(request, 2.0 * pi * radius * (radius + length));
   const double row_height = unit_triangle_height * request.edge_length;
   const int cap_rows = pieces(request, radius, row_height, 1);
@@ -300,7 +307,8 @@ TriMesh tube(const Request& request) {
 
 TriMesh open_tube(const Request& request) {
   check_positive(request, {"radius", "length"});
-  const double radius = request.at("radius"), length = request.at("length");
+  const double radius = request.at("radius");
+  const double length = request.at("length");
   check_face_count(request, 2.0 * pi * radius * length);
   const int around = pieces(request, 2.0 * pi * radius, request.edge_length, 3);
   std::vector<ProfilePoint> profile = {{radius, -0.5 * length}};
@@ -323,7 +331,8 @@ struct Waves {
     double sum = 0.0;
     for (int i = 0; i < samples; ++i) {
       for (int j = 0; j < samples; ++j) {
-        const double u = 2.0 * pi * (i + 0.5) / samples, v = 2.0 * pi * (j + 0.5) / samples;
+        const double u = 2.0 * pi * (i + 0.5) / samples;
+        const double v = 2.0 * pi * (j + 0.5) / samples;
         const double slope = amplitude * wave_number;
         sum +=
             std::hypot(1.0, slope * std::cos(u) * std::sin(v), slope * std::sin(u) * std::cos(v));
@@ -345,7 +354,8 @@ std::vector<double> sheet_row(int columns, bool shifted) {
 
 TriMesh wavy_sheet(const Request& request) {
   check_positive(request, {"width", "depth", "wavelength"});
-  const double width = request.at("width"), depth = request.at("depth");
+  const double width = request.at("width");
+  const double depth = request.at("depth");
   const Waves waves{request.at("amplitude"), 2.0 * pi / request.at("wavelength")};
   const double stretch = waves.stretch();
   check_face_count(request, width * depth * stretch);
@@ -376,7 +386,8 @@ double distance_to_torus(const Eigen::Vector3d& p, double R, double r) {
 
 TriMesh double_torus(const Request& request) {
   check_positive(request, {"R", "r"});
-  const double R = request.at("R"), r = request.at("r");
+  const double R = request.at("R");
+  const double r = request.at("r");
   // Thicker tubes, blended, would close the holes.
   if (r > 0.6 * R) {
     throw InvalidOption(
@@ -390,7 +401,8 @@ TriMesh double_torus(const Request& request) {
   const double blend = 0.25 * r;
   const auto value = [=](const Eigen::Vector3d& p) {
     const Eigen::Vector3d center(R, 0.0, 0.0);
-    const double a = distance_to_torus(p - center, R, r), b = distance_to_torus(p + center, R, r);
+    const double a = distance_to_torus(p - center, R, r);
+    const double b = distance_to_torus(p + center, R, r);
     return std::min(a, b) - blend * std::log1p(std::exp(-std::abs(a - b) / blend));
   };
   const double room = r + blend + 2.0 * request.edge_length;

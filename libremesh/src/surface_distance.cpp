@@ -64,7 +64,8 @@ std::vector<Eigen::Vector3d> sample_by_area(const TriMesh& mesh, int count) {
   std::vector<Eigen::Vector3d> samples;
   samples.reserve(static_cast<std::size_t>(count));
   auto face = mesh.faces_begin();
-  double area_before = 0.0, face_area = mesh.calc_face_area(*face);
+  double area_before = 0.0;
+  double face_area = mesh.calc_face_area(*face);
   for (int i = 0; i < count; ++i) {
     const double wanted = (i + uniform(generator)) * area / count;
     while (area_before + face_area < wanted && std::next(face) != mesh.faces_end()) {
@@ -72,10 +73,12 @@ std::vector<Eigen::Vector3d> sample_by_area(const TriMesh& mesh, int count) {
       face_area = mesh.calc_face_area(*++face);
     }
     auto corner = mesh.cfv_begin(*face);
-    const Eigen::Vector3d a = mesh.point(*corner), b = mesh.point(*++corner),
-                          c = mesh.point(*++corner);
+    const Eigen::Vector3d a = mesh.point(*corner);
+    const Eigen::Vector3d b = mesh.point(*++corner);
+    const Eigen::Vector3d c = mesh.point(*++corner);
     // The square root makes up for the triangle's growing width.
-    const double s = std::sqrt(uniform(generator)), t = uniform(generator);
+    const double s = std::sqrt(uniform(generator));
+    const double t = uniform(generator);
     samples.emplace_back((1.0 - s) * a + s * (1.0 - t) * b + s * t * c);
   }
   return samples;
@@ -92,7 +95,8 @@ std::vector<Eigen::Vector3d> vertices_with_faces(const TriMesh& mesh) {
 
 SurfaceDistance distance_between(const TriMesh& from, const DistanceTo& distance_to, int samples) {
   SurfaceDistance result;
-  double sum = 0.0, sum_of_squares = 0.0;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
   for (const double d : distance_to(sample_by_area(from, samples))) {
     sum += d;
     sum_of_squares += d * d;

@@ -72,7 +72,8 @@ class PlanarPolygon {
  private:
   /// Twice the signed area of the triangle of three corners.
   [[nodiscard]] double turn(std::size_t a, std::size_t b, std::size_t c) const {
-    const Eigen::Vector2d ab = plane_[b] - plane_[a], ac = plane_[c] - plane_[a];
+    const Eigen::Vector2d ab = plane_[b] - plane_[a];
+    const Eigen::Vector2d ac = plane_[c] - plane_[a];
     return ab.x() * ac.y() - ab.y() * ac.x();
   }
 
@@ -129,7 +130,10 @@ void append_quad(const PlanarPolygon& quad, const std::vector<Eigen::Vector3d>& 
 TriangleSoup triangulate(const PolygonSoup& soup) {
   TriangleSoup result{soup.points, {}, soup.notes};
   result.triangles.reserve(soup.ends.size());
-  std::size_t repeated = 0, dropped = 0, quads = 0, larger = 0;
+  std::size_t repeated = 0;
+  std::size_t dropped = 0;
+  std::size_t quads = 0;
+  std::size_t larger = 0;
   for (std::size_t i = 0; i < soup.ends.size(); ++i) {
     std::vector<int> corners = without_repetitions(soup.polygon(i));
     const std::size_t size = corners.size();

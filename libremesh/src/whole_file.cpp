@@ -29,7 +29,9 @@ class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
   Descriptor(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
   ~Descriptor() {
     if (number_ >= 0) ::close(number_);
   }
@@ -98,7 +100,9 @@ class PartFile {
  public:
   explicit PartFile(const fs::path& target) : target_(target), file_(open_new()) {}
   PartFile(const PartFile&) = delete;
+  PartFile(PartFile&&) = delete;
   PartFile& operator=(const PartFile&) = delete;
+  PartFile& operator=(PartFile&&) = delete;
   ~PartFile() {
     if (!kept_) ::unlink(path_.c_str());
   }
