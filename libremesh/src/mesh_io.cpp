@@ -1,11 +1,8 @@
 #include "trivalent/remesh/mesh_io.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <ostream>
 #include <string_view>
@@ -125,9 +122,7 @@ void write_stl(std::ostream& out, const TriMesh& mesh) {
 using Writer = void (*)(std::ostream&, const TriMesh&);
 
 Writer writer_for(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".off") return write_off;
   if (extension == ".obj") return write_obj;
   if (extension == ".ply") return write_ply;

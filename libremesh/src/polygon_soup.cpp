@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <unordered_map>
@@ -50,25 +50,15 @@ bool is_gzipped(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b
 /// No mesh packs better than this; what does is made to fill the memory.
 constexpr std::size_t best_compression = 200;
 
-/// One zlib stream, whatever happens.
-class Inflater {
- public:
-  Inflater() {
-    constexpr int any_window_and_gzip_header = 15 + 32;
-    if (inflateInit2(&stream_, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
-  }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-  ~Inflater() { inflateEnd(&stream_); }
-  [[nodiscard]] z_stream& stream() { return stream_; }
-
- private:
-  z_stream stream_{};
+struct EndInflating {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
 std::string unpack(const Source& source) {
-  Inflater inflater;
-  z_stream& stream = inflater.stream();
+  z_stream stream{};
+  constexpr int any_window_and_gzip_header = 15 + 32;
+  if (inflateInit2(&stream, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, EndInflating> ending(&stream);
   std::string unpacked;
   std::string input(source.bytes);
   std::array<char, 1 << 16> chunk{};
@@ -115,16 +105,12 @@ std::string name_of(Kind kind) {
 
 /// Text STL begins with "solid", but so do the headers of some binary ones; a facet must follow.
 bool is_text_stl(const Source& source) {
-  const auto lower = [](std::string_view word) {
-    std::string text(word.substr(0, 16));
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  };
+  constexpr std::size_t longest_keyword = 16;
   TextScanner scanner(source, Continuation::none);
-  if (lower(scanner.word_across_lines()) != "solid") return false;
+  const std::string_view first = scanner.word_across_lines().substr(0, longest_keyword);
+  if (lower_case(std::string(first)) != "solid") return false;
   scanner.next_line();
-  const std::string second = lower(scanner.word());
+  const std::string second = lower_case(std::string(scanner.word().substr(0, longest_keyword)));
   return second == "facet" || second == "endsolid";
 }
 
@@ -141,9 +127,7 @@ std::optional<Kind> kind_by_content(const Source& source) {
 Kind kind_by_extension(const Source& source) {
   fs::path name = source.name;
   if (name.extension() == ".gz") name = name.stem();
-  std::string extension = name.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(name.extension().string());
   if (extension == ".off") return Kind::off;
   if (extension == ".obj") return Kind::obj;
   if (extension == ".ply") return Kind::ply;

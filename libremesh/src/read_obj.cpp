@@ -28,7 +28,7 @@ class ObjReader {
     }
     check_corners();
     for (const auto& [keyword, count] : ignored_) {
-      soup_.notes.push_back(concat("ignored ", counted(count, "statement"), " '", keyword, "'"));
+      soup_.notes.push_back(concat("ignored ", counted(count, "statement"), ' ', keyword));
     }
     return std::move(soup_);
   }
@@ -41,16 +41,22 @@ class ObjReader {
     } else if (keyword == "f" || keyword == "fo") {
       read_face();
     } else if (std::find(unneeded.begin(), unneeded.end(), keyword) == unneeded.end()) {
-      constexpr std::size_t longest_shown = 40;
-      ++ignored_[std::string(keyword.substr(0, longest_shown))];
+      count_ignored(in_quotes(keyword));
     }
+  }
+
+  void count_ignored(const std::string& keyword) {
+    constexpr std::size_t most_kinds = 10;
+    const bool is_known = ignored_.count(keyword) > 0 || ignored_.size() < most_kinds;
+    ++ignored_[is_known ? keyword : "of other kinds"];
   }
 
   void read_face() {
     for (std::string_view corner = scanner_.word(); !corner.empty(); corner = scanner_.word()) {
       // Of vertex/texture/normal only the vertex matters.
       const auto index = parse_integer(corner.substr(0, corner.find('/')));
-      if (!index || *index == 0) scanner_.fail(concat("'", corner, "' is no corner of a face"));
+      if (!index || *index == 0)
+        scanner_.fail(concat(in_quotes(corner), " is no corner of a face"));
       const auto points = static_cast<std::int64_t>(soup_.points.size());
       // From 1, or backwards from the last vertex so far.
       const std::int64_t v = *index > 0 ? *index - 1 : points + *index;

@@ -71,7 +71,7 @@ Number number_named(std::string_view name, const TextScanner& scanner) {
   for (const auto& entry : number_names) {
     if (entry.name == name) return entry.number;
   }
-  scanner.fail(concat('\'', name, "' is no type of PLY numbers"));
+  scanner.fail(concat(in_quotes(name), " is no type of PLY numbers"));
 }
 
 Property read_property(TextScanner& scanner) {
@@ -91,7 +91,15 @@ Encoding read_encoding(TextScanner& scanner) {
   if (word == "ascii") return Encoding::text;
   if (word == "binary_little_endian") return Encoding::little_endian;
   if (word == "binary_big_endian") return Encoding::big_endian;
-  scanner.fail(concat('\'', word, "' is no PLY encoding"));
+  scanner.fail(concat(in_quotes(word), " is no PLY encoding"));
+}
+
+Element read_element(TextScanner& scanner) {
+  Element element{std::string(scanner.word()), 0, {}};
+  const std::int64_t count = scanner.integer("the number of elements");
+  if (count < 0) scanner.fail("a count is negative");
+  element.count = static_cast<std::uint64_t>(count);
+  return element;
 }
 
 Header read_header(TextScanner& scanner) {
@@ -104,10 +112,7 @@ Header read_header(TextScanner& scanner) {
       header.encoding = read_encoding(scanner);
       has_format = true;
     } else if (keyword == "element") {
-      header.elements.push_back({std::string(scanner.word()), 0, {}});
-      const std::int64_t count = scanner.integer("the number of elements");
-      if (count < 0) scanner.fail("a count is negative");
-      header.elements.back().count = static_cast<std::uint64_t>(count);
+      header.elements.push_back(read_element(scanner));
     } else if (keyword == "property") {
       if (header.elements.empty()) scanner.fail("a property stands before the first element");
       header.elements.back().properties.push_back(read_property(scanner));
@@ -115,7 +120,7 @@ Header read_header(TextScanner& scanner) {
       if (!has_format) scanner.fail("the header does not tell its format");
       return header;
     } else if (keyword != "comment" && keyword != "obj_info") {
-      scanner.fail(concat('\'', keyword.substr(0, 40), "' is no part of a PLY header"));
+      scanner.fail(concat(in_quotes(keyword), " is no part of a PLY header"));
     }
   }
   scanner.fail("the file ends before 'end_header'; is it cut short?");
@@ -218,17 +223,17 @@ class PlyReader {
     std::uint64_t least = 0;
     for (const Property& p : element.properties)
       least += body_.bytes_of(p.list_size.value_or(p.number));
-    if (least == 0) body_.fail(concat("elements '", element.name, "' have no properties"));
+    if (least == 0) body_.fail(concat("elements ", in_quotes(element.name), " have no properties"));
+    const std::string things = in_quotes(element.name) + " elements";
     // The last line of a text may lack its end.
-    check_declared(source_, {element.name + " elements", element.count, least},
-                   body_.bytes_left() + 1);
+    check_declared(source_, {things, element.count, least}, body_.bytes_left() + 1);
     if (element.name == "vertex") return read_vertices(element);
     if (element.name == "face") return read_faces(element);
     if (element.name == "tristrips")
       body_.fail("triangle strips are not read; write faces instead");
     for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, [](std::size_t, double) {});
     soup_.notes.push_back(
-        concat("ignored ", counted(element.count, "element"), " '", element.name, "'"));
+        concat("ignored ", counted(element.count, "element"), ' ', in_quotes(element.name)));
   }
 
   void read_vertices(const Element& element) {
@@ -281,9 +286,8 @@ class PlyReader {
 
   std::uint64_t list_size(const Property& property) {
     const double size = body_.number(*property.list_size);
-    const double most =
-        static_cast<double>((body_.bytes_left() + 1) / body_.bytes_of(property.number));
-    if (size >= 0.0 && size <= most && size == std::floor(size))
+    const std::size_t most = (body_.bytes_left() + 1) / body_.bytes_of(property.number);
+    if (size >= 0.0 && size <= static_cast<double>(most) && size == std::floor(size))
       return static_cast<std::uint64_t>(size);
     body_.fail(concat("a list of ", size, " values, but the file holds at most ", most, " more"));
   }
@@ -293,11 +297,11 @@ class PlyReader {
                        [name](const Property& p) { return p.name == name; });
   }
 
-  std::size_t place_of(const Element& element, std::string_view name) const {
+  [[nodiscard]] std::size_t place_of(const Element& element, std::string_view name) const {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       if (element.properties[k].name == name) return k;
     }
-    body_.fail(concat("elements '", element.name, "' have no property '", name, "'"));
+    body_.fail(concat("elements ", in_quotes(element.name), " have no property '", name, "'"));
   }
 
   /// At the end, because faces may come before vertices.

@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <bit>
-#include <cctype>
-#include <cstring>
+#include <cstddef>
 #include <string>
 
 #include "mesh_readers.h"
@@ -25,7 +23,8 @@ std::uint32_t little_endian_32(const char* bytes) {
 Eigen::Vector3d corner_at(const char* bytes) {
   Eigen::Vector3d p;
   for (int k = 0; k < 3; ++k) {
-    p[k] = static_cast<double>(std::bit_cast<float>(little_endian_32(bytes + 4 * k)));
+    p[k] =
+        static_cast<double>(std::bit_cast<float>(little_endian_32(bytes + std::ptrdiff_t{4} * k)));
   }
   return p;
 }
@@ -37,7 +36,7 @@ class TextStlReader {
   PolygonSoup run() {
     std::size_t solids = 0;
     for (std::string word = next(); !word.empty(); word = next()) {
-      if (word != "solid") scanner_.fail(concat('\'', word, "' stands where 'solid' should"));
+      if (word != "solid") scanner_.fail(concat(in_quotes(word), " stands where 'solid' should"));
       scanner_.skip_rest_of_line();  // the name
       read_facets();
       scanner_.skip_rest_of_line();
@@ -52,10 +51,7 @@ class TextStlReader {
   /// Keywords come in upper or lower case.
   std::string next() {
     constexpr std::size_t longest_keyword = 16;
-    std::string word(scanner_.word_across_lines().substr(0, longest_keyword));
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return word;
+    return lower_case(std::string(scanner_.word_across_lines().substr(0, longest_keyword)));
   }
 
   void expect(std::string_view keyword) {
@@ -63,7 +59,7 @@ class TextStlReader {
     if (word == keyword) return;
     if (word.empty())
       scanner_.fail(concat("the file ends before '", keyword, "'; is it cut short?"));
-    scanner_.fail(concat('\'', word, "' stands where '", keyword, "' should"));
+    scanner_.fail(concat(in_quotes(word), " stands where '", keyword, "' should"));
   }
 
   void read_facets() {
@@ -71,7 +67,7 @@ class TextStlReader {
       const std::string word = next();
       if (word == "endsolid") return;
       if (word.empty()) scanner_.fail("the file ends before 'endsolid'; is it cut short?");
-      if (word != "facet") scanner_.fail(concat('\'', word, "' stands where 'facet' should"));
+      if (word != "facet") scanner_.fail(concat(in_quotes(word), " stands where 'facet' should"));
       read_facet();
     }
   }

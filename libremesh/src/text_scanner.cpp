@@ -49,6 +49,24 @@ void TextScanner::skip_line_end() {
   within_line_ = false;
 }
 
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t longest_shown = 40;
+  std::string shown(word.substr(0, longest_shown));
+  for (char& c : shown) {
+    // What a terminal might obey.
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  return '\'' + shown + (word.size() > longest_shown ? "...'" : "'");
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 bool TextScanner::at_continuation() const {
   return continuation_ == Continuation::backslash && source_.bytes[at_] == '\\' &&
          at_ + 1 < source_.bytes.size() && is_line_end(source_.bytes[at_ + 1]);
@@ -135,8 +153,7 @@ void TextScanner::fail(std::string_view problem) const {
 
 void TextScanner::fail_on(std::string_view word, std::string_view what) const {
   if (word.empty()) fail(concat("the file ends where ", what, " should stand; is it cut short?"));
-  constexpr std::size_t longest_shown = 40;
-  fail(concat('\'', word.substr(0, longest_shown), "' stands where ", what, " should"));
+  fail(concat(in_quotes(word), " stands where ", what, " should"));
 }
 
 }  // namespace trivalent::remesh

@@ -19,6 +19,12 @@ struct Source {
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
 
+/// The beginning of a word from a file, in quotes and without control characters, for messages.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// Letters A to Z in lower case.
+[[nodiscard]] std::string lower_case(std::string text);
+
 /// Whether a backslash at the end of a line joins the next one to it.
 enum class Continuation { none, backslash };
 

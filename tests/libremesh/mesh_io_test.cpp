@@ -324,6 +324,16 @@ TEST(ReadObj, IgnoresOtherElementsAndSaysSo) {
                      {"ignored 2 statements 'l'", "ignored 1 statement 'p'"});
 }
 
+TEST(ReadObj, BoundsItsNotes) {
+  std::string text = obj_text;
+  for (int k = 0; k < 100; ++k) text += concat("word", k, "\x1b[2J\n");
+  const Notes notes = parse_polygon_soup(text, "a.obj").notes;
+  EXPECT_EQ(notes.size(), 11u);
+  EXPECT_EQ(notes.back(), "ignored 90 statements of other kinds");
+  // No escape sequence reaches the terminal.
+  EXPECT_EQ(notes.front(), "ignored 1 statement 'word0?[2J'");
+}
+
 TEST(ReadObj, NamesTheLineOrElementOfAnError) {
   expect_refusal(obj_points + "f 0 1 2\n", "a.obj", "line 5: '0' is no corner");
   expect_refusal(obj_points + "f 1 2 x\n", "a.obj", "line 5: 'x' is no corner");
@@ -412,9 +422,9 @@ TEST(ReadPly, RefusesDeclarationsThatTheFileCannotHold) {
     return concat("ply\nformat ", format, " 1.0\nelement vertex ", vertices,
                   "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n");
   };
-  expect_refusal(header("ascii", "2000000000"), "a.ply", "declares 2000000000 vertex elements");
+  expect_refusal(header("ascii", "2000000000"), "a.ply", "declares 2000000000 'vertex' elements");
   expect_refusal(header("binary_little_endian", "2000000000"), "a.ply",
-                 "declares 2000000000 vertex");
+                 "declares 2000000000 'vertex'");
   expect_refusal(header("ascii", "-1"), "a.ply", "a count is negative");
   // Elements of no bytes would be counted for ever.
   expect_refusal("ply\nformat ascii 1.0\nelement void 9000000000000000000\nend_header\n", "a.ply",
