@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "mesh_readers.h"
@@ -59,14 +59,16 @@ class PlanarPolygon {
 
   void append_ears(std::vector<Triangle>& triangles) const {
     std::vector<std::size_t> left(size());
-    for (std::size_t k = 0; k < size(); ++k) left[k] = k;
-    while (left.size() > 3) {
-      const std::size_t ear = find_ear(left);
-      const auto [before, tip, after] = around(left, ear);
+    std::iota(left.begin(), left.end(), std::size_t{0});
+    for (auto ear = find_ear(left); ear && left.size() > 3; ear = find_ear(left)) {
+      const auto [before, tip, after] = around(left, *ear);
       triangles.push_back({corners_[before], corners_[tip], corners_[after]});
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(*ear));
     }
-    triangles.push_back({corners_[left[0]], corners_[left[1]], corners_[left[2]]});
+    // The last triangle, or what is left of a polygon that crosses itself and so has no ear.
+    for (std::size_t k = 1; k + 1 < left.size(); ++k) {
+      triangles.push_back({corners_[left[0]], corners_[left[k]], corners_[left[k + 1]]});
+    }
   }
 
  private:
@@ -91,12 +93,11 @@ class PlanarPolygon {
     });
   }
 
-  /// A polygon that crosses itself may have no ear; then any corner must do.
-  [[nodiscard]] std::size_t find_ear(const std::vector<std::size_t>& left) const {
+  [[nodiscard]] std::optional<std::size_t> find_ear(const std::vector<std::size_t>& left) const {
     for (std::size_t k = 0; k < left.size(); ++k) {
       if (is_ear(left, k)) return k;
     }
-    return 0;
+    return std::nullopt;
   }
 
   std::vector<int> corners_;

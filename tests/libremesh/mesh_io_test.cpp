@@ -581,6 +581,15 @@ TEST(Triangulate, FansConvexPolygons) {
   EXPECT_EQ(split(points).triangles.size(), 4998u);
 }
 
+TEST(Triangulate, FillsPolygonsThatCrossThemselvesSomehow) {
+  std::vector<Eigen::Vector3d> pentagram;
+  for (int k = 0; k < 5; ++k) {
+    const double angle = 0.8 * k * std::numbers::pi;
+    pentagram.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  EXPECT_EQ(split(pentagram).triangles.size(), 3u);
+}
+
 TEST(Triangulate, RefusesConcavePolygonsOfManyCorners) {
   std::vector<Eigen::Vector3d> comb;
   for (int k = 0; k < 2000; ++k) comb.emplace_back(k, k % 2, 0);
