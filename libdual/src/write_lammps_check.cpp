@@ -9,10 +9,11 @@
 namespace trivalent::dual {
 namespace {
 
-/// LAMMPS expands $ and ends words at quotes, and knows no escapes for them.
+/// LAMMPS expands $, ends words at blanks and quotes, and knows no escapes for them.
 void check_file_name(std::string_view name) {
   const auto is_trouble = [](unsigned char c) {
-    return c == '"' || c == '\'' || c == '$' || c == '&' || c == '#' || std::iscntrl(c) != 0;
+    return c == '"' || c == '\'' || c == '$' || c == '&' || c == '#' || c == ' ' ||
+           std::iscntrl(c) != 0;
   };
   if (!name.empty() && std::none_of(name.begin(), name.end(), is_trouble)) return;
   throw InvalidOption(
@@ -31,13 +32,13 @@ void write_setup(std::ostream& out, const LammpsCheckOptions& options) {
     out << "special_bonds lj/coul 1.0 1.0 1.0\n"
         << "bond_style   zero\n";
   }
-  out << "read_data    \"" << options.data_file << "\"\n";
+  out << "read_data    " << options.data_file << '\n';
   if (is_molecular) out << "bond_coeff   *\n";
 }
 
 void write_energy(std::ostream& out, const LammpsCheckOptions& options) {
   out << "pair_style   rebo\n"
-      << "pair_coeff   * * \"${potential}\" C" << (options.has_hydrogen ? " H" : "") << "\n\n"
+      << "pair_coeff   * * ${potential} C" << (options.has_hydrogen ? " H" : "") << "\n\n"
       << "compute      energies all pe/atom\n"
       << "compute      total all reduce sum c_energies\n"
       << "thermo_style custom step atoms pe c_total\n"
@@ -66,9 +67,9 @@ void write_lammps_check(std::ostream& out, const LammpsCheckOptions& options) {
   check_file_name(options.data_file);
   check_file_name(options.potential_file);
   out << "# Computes the REBO energy of " << options.data_file << ". Run in its folder:\n"
-      << "#   lmp -in in.check\n"
-      << "# If the potential file is elsewhere: lmp -in in.check -var potential FILE\n\n"
-      << "variable     potential index \"" << options.potential_file << "\"\n\n";
+      << "#   lmp -in THIS_FILE\n"
+      << "# If the potential file is elsewhere, add: -var potential FILE\n\n"
+      << "variable     potential index " << options.potential_file << "\n\n";
   write_setup(out, options);
   write_energy(out, options);
   if (options.expected_energy) write_comparison(out, *options.expected_energy);

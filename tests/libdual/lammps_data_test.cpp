@@ -198,7 +198,7 @@ TEST(WriteLammpsCheck, KeepsForcesBetweenBondedAtoms) {
 }
 
 TEST(WriteLammpsCheck, ThrowsOnFileNamesThatLammpsCannotRead) {
-  for (const std::string name : {"", "a\"b", "a$b", "a\nb"}) {
+  for (const std::string name : {"", "a\"b", "a$b", "a\nb", "a b"}) {
     EXPECT_THROW(check_deck({.data_file = name}), InvalidOption) << name;
     EXPECT_THROW(check_deck({.data_file = "a.data", .potential_file = name}), InvalidOption)
         << name;

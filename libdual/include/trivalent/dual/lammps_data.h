@@ -76,7 +76,8 @@ struct LammpsCheckOptions {
 /// atom once, prints total and mean with 15 digits, and ends with status 1 if the total is not the
 /// expected.
 ///
-/// @throws InvalidOption if a file name is empty or has a quote, '$' or control character.
+/// @throws InvalidOption if a file name is empty or has a blank, quote, '$', '&', '#' or control
+/// character.
 void write_lammps_check(std::ostream& out, const LammpsCheckOptions& options);
 
 /// The same into a file, which appears whole or not at all.
