@@ -8,6 +8,7 @@
 
 #include "reference_structure.h"
 #include "trivalent/potentials/lennard_jones.h"
+#include "trivalent/potentials/rebo.h"
 
 namespace {
 
@@ -17,6 +18,7 @@ using Evaluate = potentials::EnergyForces (*)(const potentials::Atoms&);
 
 const std::map<std::string, Evaluate>& styles() {
   static const std::map<std::string, Evaluate> table = {
+      {"rebo", [](const potentials::Atoms& atoms) { return potentials::rebo(atoms); }},
       {"ljcut", [](const potentials::Atoms& atoms) { return potentials::lennard_jones(atoms); }},
   };
   return table;

@@ -19,7 +19,7 @@ void expect_forces_match_energy(const potentials::Atoms& atoms, const Potential&
   double largest = 0.0;
   for (const auto& f : result.forces) largest = std::max(largest, f.norm());
   // Errors: truncation ~ h^4 against rounding ~ 1e-16 |E| / h.
-  constexpr double step = 2e-4;
+  constexpr double step = 4e-5;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       const auto energy_at = [&](double shift) {

@@ -134,16 +134,14 @@ Deviation deviation(const ReferenceStructure& reference, const potentials::Energ
   const potentials::EnergyForces& expected = reference.expected;
   double largest_force = 0.0;
   double force_difference = 0.0;
-  double reach = 1.0;
   for (std::size_t i = 0; i < expected.forces.size(); ++i) {
     const Eigen::Vector3d difference = result.forces[i] - expected.forces[i];
     largest_force = std::max(largest_force, expected.forces[i].cwiseAbs().maxCoeff());
-    // fmax would hide a NaN, and so would max with the NaN on its right.
-    force_difference = std::max(difference.cwiseAbs().sum(), force_difference);
-    reach = std::max(reach, reference.atoms.positions[i].cwiseAbs().maxCoeff());
+    const double off = difference.allFinite() ? difference.cwiseAbs().maxCoeff() : 1e300;
+    force_difference = std::max(force_difference, off);
   }
   const double allowed_force = tolerance.relative_force * (1.0 + largest_force);
-  // The virial sums force times distance over all atoms.
+  // The virial sums force times bond length over all atoms.
   const double allowed_virial =
       allowed_force * std::max(1.0, static_cast<double>(expected.forces.size())) * 2.0;
   return {
