@@ -6,13 +6,11 @@
 #include <iosfwd>
 #include <span>
 
+#include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/network.h"
 
 namespace trivalent::dual {
-
-/// Energy per atom of graphene at rest under REBO [eV], where shells of carbon come down to.
-inline constexpr double graphene_energy = -7.394997;
 
 using Color = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
