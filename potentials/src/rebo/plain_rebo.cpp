@@ -1,0 +1,34 @@
+#include "rebo/plain_rebo.h"
+
+#include "rebo/bond_order.h"
+#include "rebo/bonds.h"
+#include "rebo/gradient.h"
+#include "rebo/pair_terms.h"
+#include "totals.h"
+
+namespace trivalent::potentials::rebo_detail {
+
+EnergyForces plain_rebo(const Atoms& atoms, const Parameters& parameters) {
+  EnergyForces result = zero_energy_forces(atoms.size());
+  const Bonds bonds(atoms, parameters);
+  Gradient gradient(bonds, result);
+  const BondOrder orders(bonds, parameters, &gradient);
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const Bond& bond = bonds[b];
+    if (bond.reverse < b) continue;  // once a bond, not once a direction
+    const auto& constants = parameters.bond(bonds.species(bond.from), bonds.species(bond.to));
+    const ValueAndSlope repelled = repulsion(bond.distance, constants);
+    const ValueAndSlope attracted = attraction(bond.distance, constants);
+    const double order = orders.bond_order(pair_of(bonds, b), -attracted.value);
+    gradient.add_distance(bond, repelled.slope - order * attracted.slope);
+
+    const double energy = repelled.value - order * attracted.value;
+    result.energy += energy;
+    result.energies[bond.from] += 0.5 * energy;
+    result.energies[bond.to] += 0.5 * energy;
+  }
+  gradient.finish();
+  return result;
+}
+
+}  // namespace trivalent::potentials::rebo_detail
