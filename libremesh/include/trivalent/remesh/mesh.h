@@ -33,7 +33,8 @@ using FaceHandle = OpenMesh::FaceHandle;
 /// Builds a half-edge mesh from points and triangles (indices into points, counter-clockwise seen
 /// from outside). Points that no triangle uses stay as isolated vertices.
 ///
-/// @throws InvalidMesh if a coordinate is not finite, an index is out of range, a triangle repeats a
+/// @throws InvalidMesh if a coordinate is not finite, an index is out of range, a triangle repeats
+/// a
 ///   corner, or the triangles do not form an oriented 2-manifold; the message names the element.
 [[nodiscard]] TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
                                 std::span<const std::array<int, 3>> triangles);
