@@ -1,5 +1,7 @@
 #include "rebo/candidates.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <limits>
 
 #include "cell_grid.h"
@@ -32,13 +34,16 @@ class Candidates::Builder {
     count_links();
     fill_links();
     link_reverse_directions();
+    find_crossings();
   }
 
  private:
+  [[nodiscard]] std::vector<std::uint32_t> home_points_by_block();
   void number_points();
   void count_links();
   void fill_links();
   void link_reverse_directions();
+  void find_crossings();
   [[nodiscard]] Shift shift_of(std::uint32_t point) const;
 
   // Calls visit(atom, point) for all pairs that may become bonds of their two elements.
@@ -65,12 +70,64 @@ class Candidates::Builder {
   std::vector<std::uint32_t> number_;  // point of the grid → point of the candidates
 };
 
+// Cuts a range of atoms in one block of space into tiles; small blocks share one.
+void add_tiles(std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& tiles) {
+  constexpr std::uint32_t most_atoms = 1024;
+  if (!tiles.empty() && end - tiles.back() <= most_atoms) return;
+  const std::uint32_t pieces = (end - begin + most_atoms - 1) / most_atoms;
+  for (std::uint32_t piece = 0; piece < pieces; ++piece) {
+    tiles.push_back(begin +
+                    static_cast<std::uint32_t>(std::uint64_t{end - begin} * piece / pieces));
+  }
+}
+
+// The points that are atoms, sorted by blocks of space; sets the tiles that follow from it.
+std::vector<std::uint32_t> Candidates::Builder::home_points_by_block() {
+  struct Place {
+    std::uint64_t block;
+    std::uint32_t point;
+    bool operator<(const Place& other) const {
+      return block != other.block ? block < other.block : point < other.point;
+    }
+  };
+  const auto points = grid_.points();
+  Eigen::Array3d lowest = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  for (const GridPoint& point : points) lowest = lowest.min(point.position.array());
+  constexpr double width = 46.0;  // of a block [Å]: a square of graphene that wide has 800 atoms
+  std::vector<Place> places;
+  places.reserve(atoms_.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (!points[p].is_home) continue;
+    // Blocks so far away that their numbers are cut off only share a tile with others.
+    const Eigen::Array<std::uint64_t, 3, 1> block =
+        ((points[p].position.array() - lowest) / width).min(0x1p52).cast<std::uint64_t>();
+    constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
+    places.push_back({(block[0] & mask) | (block[1] & mask) << 21 | (block[2] & mask) << 42,
+                      static_cast<std::uint32_t>(p)});
+  }
+  tbb::parallel_sort(places.begin(), places.end());
+
+  std::vector<std::uint32_t> sorted;
+  sorted.reserve(places.size());
+  std::uint32_t begin = 0;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    sorted.push_back(places[i].point);
+    if (i + 1 < places.size() && places[i + 1].block == places[i].block) continue;
+    add_tiles(begin, i + 1, result_.tiles);
+    begin = i + 1;
+  }
+  result_.tiles.push_back(begin);
+  return sorted;
+}
+
 void Candidates::Builder::number_points() {
   const auto points = grid_.points();
   std::vector<std::uint32_t> atom_number(atoms_.size());
+  result_.order.reserve(atoms_.size());
+  result_.species.reserve(atoms_.size());
   bool is_wrapped = false;
-  for (const GridPoint& point : points) {
-    if (!point.is_home) continue;
+  for (const std::uint32_t p : home_points_by_block()) {
+    const GridPoint& point = points[p];
     atom_number[point.atom] = static_cast<std::uint32_t>(result_.order.size());
     result_.order.push_back(point.atom);
     result_.species.push_back(atoms_.species[point.atom]);
@@ -137,6 +194,27 @@ void Candidates::Builder::link_reverse_directions() {
       }
     }
   });
+}
+
+void Candidates::Builder::find_crossings() {
+  std::vector<Crossing>& crossings = result_.crossings;
+  for (std::size_t tile = 0; tile < result_.tile_count(); ++tile) {
+    result_.first_crossing.push_back(static_cast<std::uint32_t>(crossings.size()));
+    const std::uint32_t begin = result_.first[result_.tiles[tile]];
+    const std::uint32_t end = result_.first[result_.tiles[tile + 1]];
+    for (std::uint32_t i = result_.tiles[tile]; i < result_.tiles[tile + 1]; ++i) {
+      for (std::uint32_t link = result_.first[i]; link < result_.first[i + 1]; ++link) {
+        const bool is_inside = begin <= result_.reverse[link] && result_.reverse[link] < end;
+        if (!is_inside) crossings.push_back({i, link, 0});
+      }
+    }
+  }
+  result_.first_crossing.push_back(static_cast<std::uint32_t>(crossings.size()));
+  for (Crossing& crossing : crossings) {
+    const auto other =
+        std::ranges::lower_bound(crossings, result_.reverse[crossing.link], {}, &Crossing::link);
+    crossing.back = static_cast<std::uint32_t>(other - crossings.begin());
+  }
 }
 
 Candidates::Candidates(const Atoms& atoms, double skin) { Builder(atoms, skin, *this).build(); }

@@ -30,7 +30,9 @@ struct CleanArguments {
   const std::uint32_t* homes;    ///< of points from atom_count on
   std::uint32_t atom_count;
   double* slopes;  ///< four per link: dE/d(separation) [eV/Å] and energy due to the other end [eV]
-  double* energies;  ///< per atom, its own share [eV]
+  double* energies;          ///< per atom, its own share [eV]
+  std::uint32_t first_link;  ///< what slopes begins with
+  std::uint32_t first_atom;  ///< what energies begins with
 };
 
 /// Offsets of an atom's three bonds from its first link, eight bits each.

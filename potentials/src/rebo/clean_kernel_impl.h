@@ -264,9 +264,9 @@ TRIVALENT_INLINE void evaluate_batch(const CleanArguments& a, const Batch& batch
   for (int c = 0; c < 6; ++c) virial[c] += stress[c];
 
   for (int l = 0; l < used; ++l) {
-    a.energies[batch.atom[l]] = energy[l];
+    a.energies[batch.atom[l] - a.first_atom] = energy[l];
     for (int k = 0; k < 3; ++k) {
-      double* out = a.slopes + std::size_t{4} * batch.link[k][l];
+      double* out = a.slopes + std::size_t{4} * (batch.link[k][l] - a.first_link);
       out[0] = slope[k].x[l];
       out[1] = slope[k].y[l];
       out[2] = slope[k].z[l];

@@ -38,8 +38,7 @@ template <typename T>
 struct Largest {
   double value = 0.0;
   Largest& operator+=(const Largest& other) {
-    // Not std::max, which loses a NaN.
-    if (!(other.value <= value)) value = other.value;
+    value = std::max(value, other.value);
     return *this;
   }
 };
@@ -56,13 +55,21 @@ const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
   bool is_current = candidates_ && is_same_system(atoms);
   if (is_current) {
     moved_ += copy_positions(atoms);
-    is_current = moved_ <= 0.5 * skin_;  // a NaN among the positions is not <= either
+    is_current = moved_ <= 0.5 * skin_;
   }
   if (!is_current) start(atoms);
   place_images();
   classify();
-  evaluate_terms();
-  gather();
+
+  const std::size_t tiles = candidates_->tile_count();
+  auto totals = sum_over_parts<Totals>(tiles, [&](std::size_t t) { return evaluate_tile(t); });
+  for_each_part(tiles, [&](std::size_t t) { import_crossings(t); });
+  // Only irregular atoms have bonds whose cutoff has a slope.
+  for_each_part(tiles, [&](std::size_t t) { add_coordination_slopes_of_neighbors(t); });
+  totals += sum_over_parts<Totals>(tiles, [&](std::size_t t) { return add_forces_of_cutoffs(t); });
+  result_.energy = totals.energy;
+  // Only the sum over all atoms is symmetric, since two atoms share the terms of a bond.
+  result_.virial = totals.virial.selfadjointView<Eigen::Upper>();
   return result_;
 }
 
@@ -73,8 +80,6 @@ bool Evaluator::is_same_system(const Atoms& atoms) const {
 
 void Evaluator::start(const Atoms& atoms) {
   require_valid(atoms, "rebo");
-  // The largest array goes first: searching for neighbors needs room too.
-  link_slopes_.reset();
   candidates_.reset();
   candidates_.emplace(atoms, skin_);
   box_ = atoms.box;
@@ -84,14 +89,13 @@ void Evaluator::start(const Atoms& atoms) {
 
   const std::size_t n = atoms.size();
   const std::size_t links = candidates_->point.size();
-  irregular_.resize(chunk_count(n));
+  irregular_.resize(candidates_->tile_count());
   positions_ = without_values<double>(4 * candidates_->point_count());
   std::fill_n(positions_.get(), 4 * candidates_->point_count(), 0.0);
   states_ = without_values<std::uint8_t>(n);
   bonded_ = without_values<std::uint32_t>(n);
   coordinations_ = without_values<Coordination>(n);
-  energies_ = without_values<double>(n);
-  link_slopes_ = without_values<double>(4 * links);
+  exports_ = without_values<Eigen::Vector4d>(candidates_->crossings.size());
   cutoff_slopes_ = without_values<double>(links);
   other_slopes_ = without_values<double>(links);
   coordination_slopes_ = without_values<Coordination>(n);
@@ -100,7 +104,8 @@ void Evaluator::start(const Atoms& atoms) {
   (void)copy_positions(atoms);
 }
 
-// Returns how far the atom that went farthest is from where it was at the last call.
+// Returns how far the atom that went farthest is from where it was at the last call; infinitely far
+// if an atom became another element or is nowhere.
 double Evaluator::copy_positions(const Atoms& atoms) {
   const Candidates& c = *candidates_;
   const auto copy_chunk = [&](std::size_t begin, std::size_t end) {
@@ -112,10 +117,10 @@ double Evaluator::copy_positions(const Atoms& atoms) {
         x += box_.cell * Eigen::Vector3d(wrap[0], wrap[1], wrap[2]);
       }
       auto place = Eigen::Vector3d::Map(&positions_[4 * i]);
-      largest += Largest{(x - place).squaredNorm()};
-      if (atoms.species[c.order[i]] != c.species[i]) {
-        largest += Largest{std::numeric_limits<double>::infinity()};
-      }
+      const double squared_way = (x - place).squaredNorm();
+      const bool is_followed =
+          std::isfinite(squared_way) && atoms.species[c.order[i]] == c.species[i];
+      largest += Largest{is_followed ? squared_way : std::numeric_limits<double>::infinity()};
       place = x;
     }
     return largest;
@@ -144,24 +149,20 @@ Eigen::Vector3d Evaluator::separation(std::uint32_t atom, std::uint32_t link) co
 }
 
 void Evaluator::classify() {
-  const std::size_t n = candidates_->count();
-  for_each_chunk(n, [&](std::size_t begin, std::size_t end) {
-    classify_chunk(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
-                   irregular_[begin / chunk_size]);
-  });
-  for_each_chunk(n, [&](std::size_t begin, std::size_t) {
-    for (const std::uint32_t atom : irregular_[begin / chunk_size]) mark_around(atom);
+  const std::size_t tiles = candidates_->tile_count();
+  for_each_part(tiles, [&](std::size_t tile) { classify_tile(tile); });
+  for_each_part(tiles, [&](std::size_t tile) {
+    for (const std::uint32_t atom : irregular_[tile]) mark_around(atom);
   });
 }
 
-void Evaluator::classify_chunk(std::uint32_t begin, std::uint32_t end,
-                               std::vector<std::uint32_t>& irregular) {
-  irregular.clear();
-  for (std::uint32_t i = begin; i < end; ++i) {
+void Evaluator::classify_tile(std::size_t tile) {
+  irregular_[tile].clear();
+  for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     states_[i] = 0;
     if (is_regular(i)) continue;
     states_[i] = atom_state::irregular | atom_state::general;
-    irregular.push_back(i);
+    irregular_[tile].push_back(i);
     count_neighbors(i);
   }
 }
@@ -235,17 +236,30 @@ void Evaluator::mark_general(std::uint32_t atom) {
   state.fetch_or(atom_state::general, std::memory_order_relaxed);
 }
 
-CleanArguments Evaluator::clean_arguments() const {
+CleanArguments Evaluator::clean_arguments(std::size_t tile, Scratch& scratch) const {
+  const Candidates& c = *candidates_;
   return {.parameters = &clean_parameters_,
           .positions = positions_.get(),
-          .first = candidates_->first.data(),
-          .point = candidates_->point.data(),
-          .reverse = candidates_->reverse.data(),
+          .first = c.first.data(),
+          .point = c.point.data(),
+          .reverse = c.reverse.data(),
           .bonded = bonded_.get(),
           .homes = image_homes_.data(),
-          .atom_count = static_cast<std::uint32_t>(candidates_->count()),
-          .slopes = link_slopes_.get(),
-          .energies = energies_.get()};
+          .atom_count = static_cast<std::uint32_t>(c.count()),
+          .slopes = scratch.slopes.data(),
+          .energies = scratch.energies.data(),
+          .first_link = c.first[c.tiles[tile]],
+          .first_atom = c.tiles[tile]};
+}
+
+Slopes Evaluator::slopes(std::size_t tile, Scratch& scratch) const {
+  return {.links = scratch.slopes.data(),
+          .energies = scratch.energies.data(),
+          .first_link = candidates_->first[candidates_->tiles[tile]],
+          .first_atom = candidates_->tiles[tile],
+          .cutoffs = cutoff_slopes_.get(),
+          .others = other_slopes_.get(),
+          .coordination = coordination_slopes_.get()};
 }
 
 Surroundings Evaluator::surroundings() const {
@@ -256,112 +270,127 @@ Surroundings Evaluator::surroundings() const {
           .states = states_.get()};
 }
 
-Slopes Evaluator::slopes() const {
-  return {.links = link_slopes_.get(),
-          .energies = energies_.get(),
-          .cutoffs = cutoff_slopes_.get(),
-          .others = other_slopes_.get(),
-          .coordination = coordination_slopes_.get()};
-}
-
-void Evaluator::evaluate_terms() {
-  const std::size_t n = candidates_->count();
-  auto totals = sum_over_chunks<Totals>(n, [&](std::size_t begin, std::size_t end) {
-    return evaluate_chunk(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-  });
-  // Only irregular atoms have bonds whose cutoff has a slope.
-  totals += sum_over_chunks<Totals>(n, [&](std::size_t begin, std::size_t) {
-    Totals sum;
-    for (const std::uint32_t i : irregular_[begin / chunk_size]) {
-      sum.virial += add_slopes_of_cutoffs(i);
-    }
-    return sum;
-  });
-  // Only the sum over all atoms is symmetric, since two atoms share the terms of a bond.
-  result_.virial = totals.virial.selfadjointView<Eigen::Upper>();
-}
-
-Totals Evaluator::evaluate_chunk(std::uint32_t begin, std::uint32_t end) {
+Totals Evaluator::evaluate_tile(std::size_t tile) {
   const Candidates& c = *candidates_;
-  std::array<std::uint32_t, chunk_size> clean{};
-  std::array<std::uint32_t, chunk_size> general{};
-  std::size_t clean_count = 0;
-  std::size_t general_count = 0;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    if ((states_[i] & atom_state::general) != 0) {
-      general[general_count++] = i;
-      continue;
-    }
-    clean[clean_count++] = i;
-    if (c.first[i + 1] - c.first[i] == 3) continue;
-    std::fill(&link_slopes_[std::size_t{4} * c.first[i]],
-              &link_slopes_[std::size_t{4} * c.first[i + 1]], 0.0);
-  }
-  Totals totals;
+  Scratch scratch;
+  scratch.energies.resize(c.tiles[tile + 1] - c.tiles[tile]);
+  scratch.slopes.resize(std::size_t{4} * (c.first[c.tiles[tile + 1]] - c.first[c.tiles[tile]]));
+  sort_atoms(tile, scratch);
   std::array<double, 6> virial{};
-  clean_kernel_(clean_arguments(), clean.data(), clean_count, virial.data());
+  clean_kernel_(clean_arguments(tile, scratch), scratch.clean.data(), scratch.clean.size(),
+                virial.data());
   const auto [xx, yy, zz, xy, xz, yz] = virial;
-  totals.virial << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;
-  totals.virial += evaluate_general(std::span(general).first(general_count));
+  Eigen::Matrix3d upper;
+  upper << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;
+
+  const Eigen::Matrix3d of_general = evaluate_general(tile, scratch);
+  Totals totals = gather(tile, scratch);
+  totals.virial = upper + of_general;
+  export_crossings(tile, scratch);
   return totals;
 }
 
-Eigen::Matrix3d Evaluator::evaluate_general(std::span<const std::uint32_t> atoms) {
+void Evaluator::sort_atoms(std::size_t tile, Scratch& scratch) const {
+  for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
+    const bool is_general = (states_[i] & atom_state::general) != 0;
+    (is_general ? scratch.general : scratch.clean).push_back(i);
+  }
+}
+
+// Returns what they add to the virial.
+Eigen::Matrix3d Evaluator::evaluate_general(std::size_t tile, Scratch& scratch) const {
+  const Candidates& c = *candidates_;
+  const std::uint32_t first_link = c.first[c.tiles[tile]];
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
-  GeneralAtom general(surroundings(), slopes());
-  for (const std::uint32_t i : atoms) {
+  GeneralAtom general(surroundings(), slopes(tile, scratch));
+  for (const std::uint32_t i : scratch.general) {
     general.evaluate(i);
-    for (std::uint32_t link = candidates_->first[i]; link < candidates_->first[i + 1]; ++link) {
-      const Eigen::Vector3d slope = Eigen::Vector3d::Map(&link_slopes_[std::size_t{4} * link]);
+    for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
+      const Eigen::Vector3d slope =
+          Eigen::Vector3d::Map(&scratch.slopes[std::size_t{4} * (link - first_link)]);
       virial -= slope * separation(i, link).transpose();
     }
   }
   return virial;
 }
 
-// Returns what they add to the virial.
-Eigen::Matrix3d Evaluator::add_slopes_of_cutoffs(std::uint32_t atom) {
+// Forces and energies from the links within the tile; returns the energy, which needs no others.
+Totals Evaluator::gather(std::size_t tile, const Scratch& scratch) {
   const Candidates& c = *candidates_;
-  const Species species = c.species[atom];
-  double from_neighbors = 0.0;  // all neighbors of an irregular atom are general and have written
-  for (std::uint32_t link = c.first[atom]; link < c.first[atom + 1]; ++link) {
-    from_neighbors += other_slopes_[c.reverse[link]];
+  const std::uint32_t begin = c.tiles[tile];
+  const std::uint32_t first_link = c.first[begin];
+  const std::uint32_t links = c.first[c.tiles[tile + 1]] - first_link;
+  const auto slope = [&](std::uint32_t link) {
+    return Eigen::Vector4d::Map(&scratch.slopes[std::size_t{4} * link]);
+  };
+  Totals totals;
+  for (std::uint32_t i = begin; i < c.tiles[tile + 1]; ++i) {
+    Eigen::Vector4d own = Eigen::Vector4d::Zero();
+    Eigen::Vector4d other = Eigen::Vector4d::Zero();
+    for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
+      own += slope(link - first_link);
+      const std::uint32_t back = c.reverse[link] - first_link;  // wraps around if before the tile
+      if (back < links) other += slope(back);
+    }
+    const double energy = scratch.energies[i - begin];
+    result_.energies[c.order[i]] = energy + other[3];
+    result_.forces[c.order[i]] = (own - other).head<3>();
+    totals.energy += energy + own[3];
   }
-  Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
-  for (std::uint32_t link = c.first[atom]; link < c.first[atom + 1]; ++link) {
-    const Species other = c.species[c.home(c.point[link])];
-    const Eigen::Vector3d bond = separation(atom, link);
-    const double r = bond.norm();
-    const Range cutoff = parameters_.bond(species, other).cutoff;
-    if (r <= cutoff.begin || r >= cutoff.end) continue;
-    const double slope =
-        cutoff_slopes_[link] + coordination_slopes_[atom].of(other) + from_neighbors;
-    const Eigen::Vector3d along = slope * cosine_switch(r, cutoff).slope / r * bond;
-    Eigen::Vector3d::Map(&link_slopes_[std::size_t{4} * link]) += along;
-    virial -= along * bond.transpose();
-  }
-  return virial;
+  return totals;
 }
 
-void Evaluator::gather() {
+void Evaluator::export_crossings(std::size_t tile, const Scratch& scratch) {
   const Candidates& c = *candidates_;
-  const auto gather_chunk = [&](std::size_t begin, std::size_t end) {
-    Totals totals;
-    for (std::size_t i = begin; i < end; ++i) {
-      Eigen::Vector4d own = Eigen::Vector4d::Zero();
-      Eigen::Vector4d other = Eigen::Vector4d::Zero();
-      for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
-        own += Eigen::Vector4d::Map(&link_slopes_[std::size_t{4} * link]);
-        other += Eigen::Vector4d::Map(&link_slopes_[std::size_t{4} * c.reverse[link]]);
-      }
-      const double energy = energies_[i] + other[3];
-      result_.energies[c.order[i]] = energy;
-      result_.forces[c.order[i]] = (own - other).head<3>();
-      totals.energy += energy;
+  const std::uint32_t first_link = c.first[c.tiles[tile]];
+  for (std::uint32_t k = c.first_crossing[tile]; k < c.first_crossing[tile + 1]; ++k) {
+    const std::size_t link = c.crossings[k].link - first_link;
+    exports_[k] = Eigen::Vector4d::Map(&scratch.slopes[4 * link]);
+  }
+}
+
+void Evaluator::import_crossings(std::size_t tile) {
+  const Candidates& c = *candidates_;
+  for (std::uint32_t k = c.first_crossing[tile]; k < c.first_crossing[tile + 1]; ++k) {
+    const auto& [atom, link, back] = c.crossings[k];
+    result_.forces[c.order[atom]] -= exports_[back].head<3>();
+    result_.energies[c.order[atom]] += exports_[back][3];
+  }
+}
+
+// All neighbors of an irregular atom are general and have written their share.
+void Evaluator::add_coordination_slopes_of_neighbors(std::size_t tile) {
+  const Candidates& c = *candidates_;
+  for (const std::uint32_t i : irregular_[tile]) {
+    double sum = 0.0;
+    for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
+      sum += other_slopes_[c.reverse[link]];
     }
-    return totals;
-  };
-  result_.energy = sum_over_chunks<Totals>(c.count(), gather_chunk).energy;
+    coordination_slopes_[i].carbon += sum;
+    coordination_slopes_[i].hydrogen += sum;
+  }
+}
+
+// Both ends of a bond within its switching range are irregular: each adds its force on itself.
+Totals Evaluator::add_forces_of_cutoffs(std::size_t tile) {
+  const Candidates& c = *candidates_;
+  Totals totals;
+  for (const std::uint32_t i : irregular_[tile]) {
+    for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
+      const std::uint32_t other = c.home(c.point[link]);
+      const Eigen::Vector3d bond = separation(i, link);
+      const double r = bond.norm();
+      const Range cutoff = parameters_.bond(c.species[i], c.species[other]).cutoff;
+      if (r <= cutoff.begin || r >= cutoff.end) continue;
+      const double from_here = cutoff_slopes_[link] + coordination_slopes_[i].of(c.species[other]);
+      const double from_there =
+          cutoff_slopes_[c.reverse[link]] + coordination_slopes_[other].of(c.species[i]);
+      const Eigen::Vector3d along = cosine_switch(r, cutoff).slope / r * bond;
+      result_.forces[c.order[i]] += (from_here + from_there) * along;
+      totals.virial -= from_here * along * bond.transpose();
+    }
+  }
+  return totals;
 }
 
 }  // namespace trivalent::potentials::rebo_detail

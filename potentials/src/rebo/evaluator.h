@@ -31,27 +31,38 @@ class Evaluator {
   [[nodiscard]] EnergyForces take_result() && { return std::move(result_); }
 
  private:
-  struct Sweep;
+  // What is kept of a tile only while it is evaluated.
+  struct Scratch {
+    std::vector<std::uint32_t> clean;
+    std::vector<std::uint32_t> general;
+    std::vector<double> energies;  // per atom, own share
+    std::vector<double> slopes;    // four per link
+  };
 
   void start(const Atoms& atoms);
   [[nodiscard]] bool is_same_system(const Atoms& atoms) const;
   [[nodiscard]] double copy_positions(const Atoms& atoms);
   void place_images();
+
   void classify();
-  void classify_chunk(std::uint32_t begin, std::uint32_t end,
-                      std::vector<std::uint32_t>& irregular);
+  void classify_tile(std::size_t tile);
   [[nodiscard]] bool is_regular(std::uint32_t atom);
   void count_neighbors(std::uint32_t atom);
   void mark_around(std::uint32_t irregular);
   void mark_general(std::uint32_t atom);
-  void evaluate_terms();
-  [[nodiscard]] Totals evaluate_chunk(std::uint32_t begin, std::uint32_t end);
-  [[nodiscard]] Eigen::Matrix3d evaluate_general(std::span<const std::uint32_t> atoms);
-  [[nodiscard]] Eigen::Matrix3d add_slopes_of_cutoffs(std::uint32_t atom);
-  void gather();
-  [[nodiscard]] CleanArguments clean_arguments() const;
+
+  [[nodiscard]] Totals evaluate_tile(std::size_t tile);
+  void sort_atoms(std::size_t tile, Scratch& scratch) const;
+  [[nodiscard]] Eigen::Matrix3d evaluate_general(std::size_t tile, Scratch& scratch) const;
+  [[nodiscard]] Totals gather(std::size_t tile, const Scratch& scratch);
+  void export_crossings(std::size_t tile, const Scratch& scratch);
+  void import_crossings(std::size_t tile);
+  void add_coordination_slopes_of_neighbors(std::size_t tile);
+  [[nodiscard]] Totals add_forces_of_cutoffs(std::size_t tile);
+
+  [[nodiscard]] CleanArguments clean_arguments(std::size_t tile, Scratch& scratch) const;
+  [[nodiscard]] Slopes slopes(std::size_t tile, Scratch& scratch) const;
   [[nodiscard]] Surroundings surroundings() const;
-  [[nodiscard]] Slopes slopes() const;
   [[nodiscard]] Eigen::Vector3d separation(std::uint32_t atom, std::uint32_t link) const;
 
   const Parameters& parameters_;
@@ -62,7 +73,7 @@ class Evaluator {
   Box box_;
   std::optional<Candidates> candidates_;
   std::vector<std::uint32_t> image_homes_;
-  std::vector<std::vector<std::uint32_t>> irregular_;  // per chunk
+  std::vector<std::vector<std::uint32_t>> irregular_;  // atoms, per tile
 
   // Arrays by atom, point or link. Those of general atoms are used only where such atoms are; left
   // without a value elsewhere, they take no memory there.
@@ -72,8 +83,7 @@ class Evaluator {
   Array<std::uint8_t> states_;
   Array<std::uint32_t> bonded_;
   Array<Coordination> coordinations_;
-  Array<double> energies_;
-  Array<double> link_slopes_;
+  Array<Eigen::Vector4d> exports_;  // per crossing: slope of its link and energy for the other end
   Array<double> cutoff_slopes_;
   Array<double> other_slopes_;
   Array<Coordination> coordination_slopes_;

@@ -244,16 +244,19 @@ void GeneralAtom::write() {
   const Candidates& c = in_.candidates;
   const std::uint32_t first = c.first[near_.atom];
   const std::uint32_t end = c.first[near_.atom + 1];
-  std::fill(out_.links + std::size_t{4} * first, out_.links + std::size_t{4} * end, 0.0);
+  const auto slope_of = [&](std::uint32_t link) {
+    return Eigen::Vector4d::Map(out_.links + std::size_t{4} * (link - out_.first_link));
+  };
+  for (std::uint32_t link = first; link < end; ++link) slope_of(link).setZero();
   std::fill(out_.cutoffs + first, out_.cutoffs + end, 0.0);
   std::fill(out_.others + first, out_.others + end, 0.0);
   for (std::size_t k = 0; k < near_.neighbors.size(); ++k) {
     const Neighbor& neighbor = near_.neighbors[k];
-    Eigen::Vector4d::Map(out_.links + std::size_t{4} * neighbor.link) << neighbor.slope, due_[k];
+    slope_of(neighbor.link) << neighbor.slope, due_[k];
     out_.cutoffs[neighbor.link] = neighbor.slope_f;
     out_.others[neighbor.link] = neighbor.slope_X;
   }
-  out_.energies[near_.atom] = energy_;
+  out_.energies[near_.atom - out_.first_atom] = energy_;
   out_.coordination[near_.atom] = slope_coordination_;
 }
 

@@ -33,10 +33,12 @@ constexpr std::uint8_t general = 2;    ///< needs the evaluation by GeneralAtom
 
 /// What evaluating an atom writes: only at the atom itself and at its own links.
 struct Slopes {
-  double* links;     ///< four per link: dE/d(separation) [eV/Å], energy for the other end
-  double* energies;  ///< per atom, own share [eV]
-  double* cutoffs;   ///< per link, dE/df [eV]
-  double* others;    ///< per link, dE/dN of the atom at its end [eV]
+  double* links;             ///< four per link: dE/d(separation) [eV/Å], energy for the other end
+  double* energies;          ///< per atom, own share [eV]
+  std::uint32_t first_link;  ///< what links begins with
+  std::uint32_t first_atom;  ///< what energies begins with
+  double* cutoffs;           ///< per link, dE/df [eV]
+  double* others;            ///< per link, dE/dN of the atom at its end [eV]
   Coordination* coordination;  ///< per atom, dE/dN [eV]
 };
 
