@@ -144,8 +144,7 @@ void Evaluator::place_images() {
 }
 
 Eigen::Vector3d Evaluator::separation(std::uint32_t atom, std::uint32_t link) const {
-  return Eigen::Vector3d::Map(&positions_[std::size_t{4} * candidates_->point[link]]) -
-         Eigen::Vector3d::Map(&positions_[std::size_t{4} * atom]);
+  return surroundings().separation(atom, link);
 }
 
 void Evaluator::classify() {

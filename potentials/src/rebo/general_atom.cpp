@@ -21,11 +21,10 @@ void GeneralAtom::load(std::uint32_t atom, Center& center) const {
   center.coordination = in_.coordination(atom);
   center.conjugation = 0.0;
   center.neighbors.clear();
-  const Eigen::Vector3d position = in_.position(atom);
   for (std::uint32_t link = c.first[atom]; link < c.first[atom + 1]; ++link) {
     const std::uint32_t other = c.home(c.point[link]);
     const BondParameters& bond = in_.parameters.bond(center.species, c.species[other]);
-    const Eigen::Vector3d separation = in_.position(c.point[link]) - position;
+    const Eigen::Vector3d separation = in_.separation(atom, link);
     const double r = separation.norm();
     if (r >= bond.cutoff.end) continue;
     Neighbor neighbor = {.link = link,

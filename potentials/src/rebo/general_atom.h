@@ -22,8 +22,20 @@ struct Surroundings {
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
     return Eigen::Vector3d::Map(positions + std::size_t{4} * point);
   }
+  /// From the atom to the end of its link [Å]; exactly the opposite from the other end, so that
+  /// both always agree on whether there is a bond.
+  [[nodiscard]] Eigen::Vector3d separation(std::uint32_t atom, std::uint32_t link) const;
   [[nodiscard]] Coordination coordination(std::uint32_t atom) const;
 };
+
+inline Eigen::Vector3d Surroundings::separation(std::uint32_t atom, std::uint32_t link) const {
+  const std::uint32_t point = candidates.point[link];
+  if (point < candidates.count()) return position(point) - position(atom);
+  // Images are rounded: the difference to an image is taken from the same end always.
+  const std::uint32_t back = candidates.reverse[link];
+  if (link < back) return position(point) - position(atom);
+  return position(candidates.home(point)) - position(candidates.point[back]);
+}
 
 /// What is known about an atom, as bits.
 namespace atom_state {
