@@ -16,23 +16,36 @@ constexpr std::size_t chunk_size = 1024;
   return (n + chunk_size - 1) / chunk_size;
 }
 
+/// Calls body(part) for all parts of [0, count), in parallel.
+template <typename Body>
+void for_each_part(std::size_t count, const Body& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+/// Sum of body(part) over [0, count) in that order; Sum needs a default constructor and +=.
+template <typename Sum, typename Body>
+[[nodiscard]] Sum sum_over_parts(std::size_t count, const Body& body) {
+  std::vector<Sum> parts(count);
+  for_each_part(count, [&](std::size_t part) { parts[part] = body(part); });
+  Sum sum{};
+  for (const Sum& part : parts) sum += part;
+  return sum;
+}
+
 /// Calls body(begin, end) for all chunks of [0, n), in parallel.
 template <typename Body>
 void for_each_chunk(std::size_t n, const Body& body) {
-  tbb::parallel_for(std::size_t{0}, chunk_count(n), [&](std::size_t chunk) {
+  for_each_part(chunk_count(n), [&](std::size_t chunk) {
     body(chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size));
   });
 }
 
-/// Sum of body(begin, end) over all chunks of [0, n); Sum needs a default constructor and +=.
+/// Sum of body(begin, end) over all chunks of [0, n).
 template <typename Sum, typename Body>
 [[nodiscard]] Sum sum_over_chunks(std::size_t n, const Body& body) {
-  std::vector<Sum> parts(chunk_count(n));
-  for_each_chunk(
-      n, [&](std::size_t begin, std::size_t end) { parts[begin / chunk_size] = body(begin, end); });
-  Sum sum{};
-  for (const Sum& part : parts) sum += part;
-  return sum;
+  return sum_over_parts<Sum>(chunk_count(n), [&](std::size_t chunk) {
+    return body(chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size));
+  });
 }
 
 }  // namespace trivalent::potentials

@@ -2,18 +2,37 @@
 
 #include <cmath>
 
-#include "rebo/plain_rebo.h"
+#include "rebo/evaluator.h"
 #include "trivalent/potentials/error.h"
-#include "validation.h"
 
 namespace trivalent::potentials {
 
-EnergyForces rebo(const Atoms& atoms, const ReboOptions& options) {
-  require_valid(atoms, "rebo");
+namespace {
+
+[[nodiscard]] double checked_skin(const ReboOptions& options) {
   if (!(options.skin >= 0.0) || !std::isfinite(options.skin)) {
     throw InvalidOption(concat("rebo: skin is ", options.skin, "; it must be >= 0"));
   }
-  return rebo_detail::plain_rebo(atoms, rebo_detail::brenner_2002);
+  return options.skin;
+}
+
+}  // namespace
+
+Rebo::Rebo(const ReboOptions& options)
+    : evaluator_(std::make_unique<rebo_detail::Evaluator>(rebo_detail::brenner_2002,
+                                                          checked_skin(options))) {}
+Rebo::~Rebo() = default;
+Rebo::Rebo(Rebo&&) noexcept = default;
+Rebo& Rebo::operator=(Rebo&&) noexcept = default;
+
+const EnergyForces& Rebo::evaluate(const Atoms& atoms) { return evaluator_->evaluate(atoms); }
+
+EnergyForces rebo(const Atoms& atoms, const ReboOptions& options) {
+  (void)checked_skin(options);
+  constexpr double no_skin = 0.0;  // neighbors are used once
+  rebo_detail::Evaluator evaluator(rebo_detail::brenner_2002, no_skin);
+  (void)evaluator.evaluate(atoms);
+  return std::move(evaluator).take_result();
 }
 
 }  // namespace trivalent::potentials

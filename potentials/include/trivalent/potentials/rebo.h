@@ -1,9 +1,15 @@
 #pragma once
 
+#include <memory>
+
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
 
 namespace trivalent::potentials {
+
+namespace rebo_detail {
+class Evaluator;
+}
 
 /// How REBO is evaluated; nothing here changes the energy.
 struct ReboOptions {
@@ -21,5 +27,25 @@ struct ReboOptions {
 ///
 /// Cost: O(n) time and memory; the same bytes on any number of threads.
 [[nodiscard]] EnergyForces rebo(const Atoms& atoms, const ReboOptions& options = {});
+
+/// The same potential for atoms that move: neighbors are kept from one evaluation to the next for
+/// as long as no atom has moved by more than half the skin.
+class Rebo {
+ public:
+  /// @throws InvalidOption  if an option is out of its range.
+  explicit Rebo(const ReboOptions& options = {});
+  ~Rebo();
+  Rebo(Rebo&&) noexcept;
+  Rebo& operator=(Rebo&&) noexcept;
+
+  /// Evaluates the atoms. Box, species and number of atoms may change from call to call; neighbors
+  /// are then found anew. The result stays valid, and its memory in use, until the next call.
+  ///
+  /// @throws InvalidAtoms  as rebo() does.
+  [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);
+
+ private:
+  std::unique_ptr<rebo_detail::Evaluator> evaluator_;
+};
 
 }  // namespace trivalent::potentials

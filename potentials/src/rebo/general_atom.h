@@ -1,0 +1,113 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rebo/bonds.h"
+#include "rebo/candidates.h"
+#include "rebo/parameters.h"
+
+namespace trivalent::potentials::rebo_detail {
+
+/// What evaluating an atom reads. All arrays are numbered as Candidates is.
+struct Surroundings {
+  const Parameters& parameters;
+  const Candidates& candidates;
+  const double* positions;            ///< four per point [Å], the last one unused
+  const Coordination* coordinations;  ///< per atom; only of irregular ones
+  const std::uint8_t* states;         ///< per atom, see AtomState
+
+  [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
+    return Eigen::Vector3d::Map(positions + std::size_t{4} * point);
+  }
+  [[nodiscard]] Coordination coordination(std::uint32_t atom) const;
+};
+
+/// What is known about an atom, as bits.
+namespace atom_state {
+constexpr std::uint8_t irregular = 1;  ///< not a carbon with three carbons at full bonds
+constexpr std::uint8_t general = 2;    ///< needs the evaluation by GeneralAtom
+}  // namespace atom_state
+
+/// What evaluating an atom writes: only at the atom itself and at its own links.
+struct Slopes {
+  double* links;             ///< four per link: dE/d(separation) [eV/Å], energy for the other end
+  double* energies;          ///< per atom, own share [eV]
+  std::uint32_t first_link;  ///< what links begins with
+  std::uint32_t first_atom;  ///< what energies begins with
+  double* cutoffs;           ///< per link, dE/df [eV]
+  double* others;            ///< per link, dE/dN of the atom at its end [eV]
+  Coordination* coordination;  ///< per atom, dE/dN [eV]
+};
+
+/// Evaluates REBO around one atom at a time, whatever its neighbors are.
+///
+/// The terms are those of BondOrder, cut in another way: an atom takes the derivatives of its own
+/// p, its own coordination and its own planes, for all of its bonds; the atom at the other end does
+/// the same. So no two atoms write to the same place, and sums do not depend on threads.
+class GeneralAtom {
+ public:
+  GeneralAtom(const Surroundings& surroundings, const Slopes& slopes)
+      : in_(surroundings), out_(slopes) {}
+
+  /// Writes everything in Slopes for one atom.
+  void evaluate(std::uint32_t atom);
+
+ private:
+  struct Neighbor {
+    std::uint32_t link;
+    std::uint32_t atom;
+    Species species;
+    Eigen::Vector3d separation;
+    Eigen::Vector3d direction;
+    double r;
+    ValueAndSlope f;           // cutoff
+    ValueAndSlope f_dihedral;  // cutoff of the dihedral term
+    ValueAndSlope F;           // conjugation; of carbon neighbors only, else zero
+    // Derivatives of the energy:
+    Eigen::Vector3d slope;  // d/d(separation), except through f
+    double slope_f;
+    double slope_X;  // through F
+  };
+
+  struct Center {
+    std::uint32_t atom;
+    Species species;
+    Coordination coordination;
+    double conjugation;  // Σ f F
+    std::vector<Neighbor> neighbors;
+  };
+
+  struct Plane {
+    std::size_t neighbor;
+    Eigen::Vector3d normal;
+    double inverse_square;
+    double share;  // f' s
+    double cosine;
+    ValueAndSlope bent;
+  };
+
+  void load(std::uint32_t atom, Center& center) const;
+  void evaluate_bond(std::size_t j);
+  [[nodiscard]] double add_sigma(std::size_t j, double attracted);
+  void add_pi(std::size_t j, double weight, double& order);
+  [[nodiscard]] double add_dihedral(std::size_t j, std::size_t back, double weight);
+  void add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope);
+  void add_coordination_without(std::size_t j, Coordination slope);
+  void find_planes(const Center& center, std::size_t axis, std::vector<Plane>& planes) const;
+  void write();
+
+  Surroundings in_;
+  Slopes out_;
+  Center near_;
+  Center far_;
+  double energy_ = 0.0;
+  Coordination slope_coordination_;
+  std::vector<double> due_;  // per neighbor: energy for the atom at the other end
+  std::vector<Plane> near_planes_;
+  std::vector<Plane> far_planes_;
+};
+
+}  // namespace trivalent::potentials::rebo_detail
