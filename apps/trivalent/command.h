@@ -14,6 +14,8 @@ struct Command {
   void (*run)(const Command& self, std::span<const std::string> arguments);
 };
 
+extern const Command build_command;
+extern const Command remesh_command;
 extern const Command dual_command;
 extern const Command energy_command;
 extern const Command inspect_command;

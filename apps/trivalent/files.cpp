@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "session.h"
@@ -12,12 +10,6 @@
 
 namespace trivalent::apps {
 namespace {
-
-bool is_built_in(const std::string& name) {
-  const auto& shapes = remesh::built_in_shapes();
-  return std::any_of(shapes.begin(), shapes.end(),
-                     [&](const remesh::ShapeDescription& shape) { return shape.name == name; });
-}
 
 remesh::ShapeArgument parse_argument(std::string_view text) {
   const std::size_t equals = std::min(text.find('='), text.size());
@@ -28,30 +20,6 @@ remesh::ShapeArgument parse_argument(std::string_view text) {
     throw UsageError("a shape's parameter is name=number, not '" + std::string(text) + "'");
   }
   return {.name = std::string(text.substr(0, equals)), .value = value};
-}
-
-/// A tenth of the smallest measure of a shape: fine enough for each of them.
-double coarse_edge_length(const ShapeCall& call) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const remesh::ShapeDescription& shape : remesh::built_in_shapes()) {
-    if (shape.name != call.name) continue;
-    for (const remesh::ShapeParameter& parameter : shape.parameters) {
-      double value = parameter.default_value;
-      for (const auto& argument : call.arguments) {
-        if (argument.name == parameter.name) value = argument.value;
-      }
-      if (value != 0.0) smallest = std::min(smallest, std::abs(value));
-    }
-  }
-  return smallest / 10.0;
-}
-
-remesh::TriMesh make_shape_of(const ShapeCall& call, int n_faces) {
-  const remesh::TriMesh coarse =
-      remesh::make_shape(call.name, call.arguments, coarse_edge_length(call));
-  const double face_area = remesh::surface_area(coarse) / n_faces;
-  const double edge_length = std::sqrt(4.0 * face_area / std::sqrt(3.0));
-  return remesh::make_shape(call.name, call.arguments, edge_length);
 }
 
 }  // namespace
@@ -106,11 +74,10 @@ std::string shapes_help() {
   return text.str();
 }
 
-Surface read_surface(const std::string& shape, int n_faces) {
-  const std::string name = shape.substr(0, shape.find(':'));
-  if (is_built_in(name)) return {.mesh = make_shape_of(parse_shape(shape), n_faces), .notes = {}};
-  remesh::MeshFile file = remesh::read_mesh(shape);
-  return {.mesh = std::move(file.mesh), .notes = std::move(file.notes)};
+bool is_built_in(std::string_view name) {
+  const auto& shapes = remesh::built_in_shapes();
+  return std::any_of(shapes.begin(), shapes.end(),
+                     [&](const remesh::ShapeDescription& shape) { return shape.name == name; });
 }
 
 remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal) {

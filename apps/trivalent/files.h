@@ -36,14 +36,8 @@ struct ShapeCall {
 /// Names and parameters of all built-in shapes, for --help.
 [[nodiscard]] std::string shapes_help();
 
-/// A surface that a command works on.
-struct Surface {
-  remesh::TriMesh mesh;
-  std::vector<std::string> notes;  ///< what was changed on the way in
-};
-
-/// Reads a mesh file, or makes a built-in shape of about n_faces triangles.
-[[nodiscard]] Surface read_surface(const std::string& shape, int n_faces);
+/// Whether the name, without parameters, is that of a built-in shape.
+[[nodiscard]] bool is_built_in(std::string_view name);
 
 /// Reads a mesh file, tells the terminal what was changed on the way in.
 [[nodiscard]] remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal);

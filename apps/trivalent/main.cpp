@@ -18,8 +18,8 @@ constexpr int done = 0;
 constexpr int failed = 1;
 constexpr int wrong_usage = 2;
 
-const std::array<const Command*, 4> commands = {&dual_command, &energy_command, &inspect_command,
-                                                &shape_command};
+const std::array<const Command*, 6> commands = {&build_command,  &remesh_command,  &dual_command,
+                                                &energy_command, &inspect_command, &shape_command};
 
 void print_help() {
   std::cout << "Usage: trivalent COMMAND ...\n\nTurns a triangle surface into a carbon shell.\n\n";

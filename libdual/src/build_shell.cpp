@@ -9,9 +9,29 @@ namespace {
 
 using remesh::TriMesh;
 
-/// Edge length of n equilateral triangles that together have the area of the mesh.
-double edge_length_for_faces(const TriMesh& mesh, int n) {
-  return std::sqrt(4.0 * remesh::surface_area(mesh) / (std::sqrt(3.0) * n));
+/// Area of an equilateral triangle of edge 1.
+const double unit_face_area = std::sqrt(3.0) / 4.0;
+
+void check_options(const TriMesh& mesh, const ShellOptions& options) {
+  if (mesh.n_faces() == 0) throw InvalidNetwork("build_shell: the mesh has no faces");
+  if (!std::isfinite(options.bond) || options.bond <= 0.0) {
+    throw InvalidOption(
+        concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
+  }
+  // The icosahedron's dual, C20, is the smallest fullerene.
+  constexpr int fewest_atoms = 20;
+  const auto* count = std::get_if<AtomCount>(&options.size);
+  if (count != nullptr && count->atoms < fewest_atoms) {
+    throw InvalidOption(
+        concat("build_shell: a shell needs at least ", fewest_atoms, " atoms, not ", count->atoms));
+  }
+}
+
+/// [Å per unit of the mesh], where the size says it.
+double given_scale(const TriMesh& mesh, const ShellSize& size) {
+  const auto* side = std::get_if<LongestSide>(&size);
+  return side != nullptr ? scale_for_size(mesh, *side)
+                         : scale_for_size(mesh, std::get<Scale>(size));
 }
 
 /// Remeshes to a target edge length in the unit of the mesh.
@@ -23,23 +43,16 @@ void remesh_to(const TriMesh& mesh, const ShellOptions& options, double target, 
   ++shell.remeshings;
 }
 
-void fit_scale(const TriMesh& mesh, const ShellOptions& options, const DualSize& size,
-               Shell& shell) {
-  shell.scale = scale_for_size(mesh, size);
+void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
+  shell.scale = given_scale(mesh, options.size);
   remesh_to(mesh, options, edge_length_for_bond(options.bond) / shell.scale, shell);
 }
 
 void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
-  // The icosahedron's dual, C20, is the smallest fullerene.
-  constexpr int fewest_atoms = 20;
-  if (atoms < fewest_atoms) {
-    throw InvalidOption(
-        concat("build_shell: a shell needs at least ", fewest_atoms, " atoms, not ", atoms));
-  }
   // Edges come out a little off their target, and chords of a curved surface cut its area.
   constexpr int most_remeshings = 3;
   constexpr double tolerance = 0.02;
-  double target = edge_length_for_faces(mesh, atoms);
+  double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
   while (true) {
     remesh_to(mesh, options, target, shell);
     const double ratio = static_cast<double>(shell.surface.mesh.n_faces()) / atoms;
@@ -51,19 +64,20 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
 
 }  // namespace
 
+double estimate_atom_count(const TriMesh& mesh, const ShellOptions& options) {
+  check_options(mesh, options);
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) return count->atoms;
+  const double edge = edge_length_for_bond(options.bond) / given_scale(mesh, options.size);
+  return remesh::surface_area(mesh) / (unit_face_area * edge * edge);
+}
+
 Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
-  if (!std::isfinite(options.bond) || options.bond <= 0.0) {
-    throw InvalidOption(
-        concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
-  }
-  if (mesh.n_faces() == 0) throw remesh::InvalidMesh("build_shell: the mesh has no faces");
+  check_options(mesh, options);
   Shell shell;
   if (const auto* count = std::get_if<AtomCount>(&options.size)) {
     fit_atom_count(mesh, options, count->atoms, shell);
-  } else if (const auto* side = std::get_if<LongestSide>(&options.size)) {
-    fit_scale(mesh, options, *side, shell);
   } else {
-    fit_scale(mesh, options, std::get<Scale>(options.size), shell);
+    fit_scale(mesh, options, shell);
   }
   remesh::scale(shell.surface.mesh, shell.scale);
   shell.network = build_dual(shell.surface.mesh);

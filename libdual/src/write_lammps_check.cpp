@@ -42,6 +42,7 @@ void write_energy(std::ostream& out, const LammpsCheckOptions& options) {
       << "compute      energies all pe/atom\n"
       << "compute      total all reduce sum c_energies\n"
       << "thermo_style custom step atoms pe c_total\n"
+      << "fix          motion all nve  # nothing moves in 0 steps, but LAMMPS warns without\n"
       << "run          0\n\n"
       << "variable     energy equal pe\n"
       << "variable     energy_per_atom equal pe/atoms\n"

@@ -23,6 +23,13 @@ struct ShellOptions {
   remesh::RemeshOptions remesh;       ///< target_edge_length follows from size and bond
 };
 
+/// About how many atoms a shell would have: as many as equilateral triangles fit its area. A cheap
+/// look before the work.
+///
+/// @throws InvalidOption  if size or bond is out of its range.
+/// @throws InvalidNetwork if the mesh has no faces or no extent.
+[[nodiscard]] double estimate_atom_count(const remesh::TriMesh& mesh, const ShellOptions& options);
+
 /// A carbon shell and the surface it is the dual of, both in Å.
 struct Shell {
   remesh::RemeshResult surface;
@@ -38,9 +45,10 @@ struct Shell {
 /// until the number is met to 2 %, and the mean bond is exactly the wanted one. Given a length or a
 /// scale, that is met exactly, and bonds follow the wanted length as closely as edges their target.
 ///
-/// @throws InvalidOption       if an option is out of its range.
-/// @throws InvalidNetwork      if the remeshed surface has no dual, see build_dual.
-/// @throws remesh::InvalidMesh if the mesh has no faces.
+/// @throws InvalidOption         if size or bond is out of its range.
+/// @throws InvalidNetwork        if the mesh has no faces or no extent, or the remeshed one no
+/// dual.
+/// @throws remesh::InvalidOption as remesh().
 [[nodiscard]] Shell build_shell(const remesh::TriMesh& mesh, const ShellOptions& options);
 
 }  // namespace trivalent::dual
