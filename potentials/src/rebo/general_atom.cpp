@@ -100,7 +100,7 @@ void GeneralAtom::add_other_pi(std::uint32_t atom) {
 void GeneralAtom::evaluate_pi(std::size_t j) {
   const Neighbor& bond = near_neighbors_[j];
   const ValueAndSlope attracted =
-      attraction(bond.r, in_.parameters.bond(near_.species, bond.species));
+      attraction(bond.r, bond.f, in_.parameters.bond(near_.species, bond.species));
   const double pi = add_pi(j, -attracted.value);
   energy_ -= 0.5 * attracted.value * pi;
   slopes_[j].separation -= 0.5 * attracted.slope * pi * bond.direction;
@@ -110,8 +110,8 @@ void GeneralAtom::evaluate_pi(std::size_t j) {
 void GeneralAtom::evaluate_bond(std::size_t j) {
   const Neighbor& bond = near_neighbors_[j];
   const BondParameters& constants = in_.parameters.bond(near_.species, bond.species);
-  const ValueAndSlope repelled = repulsion(bond.r, constants);
-  const ValueAndSlope attracted = attraction(bond.r, constants);
+  const ValueAndSlope repelled = repulsion(bond.r, bond.f, constants);
+  const ValueAndSlope attracted = attraction(bond.r, bond.f, constants);
   const double sigma = add_sigma(j, attracted.value);
   const double pi = add_pi(j, -attracted.value);
   slopes_[j].due = -0.25 * attracted.value * sigma;
