@@ -13,7 +13,8 @@ void check_corners(std::span<const Eigen::Vector3d> points,
                    std::span<const std::array<int, 3>> triangles) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) {
-      throw InvalidMesh(concat("make_mesh: vertex ", i, " has a coordinate that is not a finite number"));
+      throw InvalidMesh(
+          concat("make_mesh: vertex ", i, " has a coordinate that is not a finite number"));
     }
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -43,9 +44,10 @@ void check_edges(std::span<const std::array<int, 3>> triangles) {
       const auto key = static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
       const auto [other, is_new] = face_on.try_emplace(key, t);
       if (!is_new) {
-        throw InvalidMesh(concat("make_mesh: faces ", other->second, " and ", t,
-                                 " run the same way along the edge from vertex ", from, " to ", to,
-                                 "; the surface is not manifold or not consistently oriented there"));
+        throw InvalidMesh(
+            concat("make_mesh: faces ", other->second, " and ", t,
+                   " run the same way along the edge from vertex ", from, " to ", to,
+                   "; the surface is not manifold or not consistently oriented there"));
       }
     }
   }
@@ -73,8 +75,9 @@ TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
     const auto [a, b, c] = triangles[t];
     const FaceHandle face = mesh.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
     if (!face.is_valid()) {
-      throw InvalidMesh(concat("make_mesh: face ", t, " (vertices ", a, ", ", b, ", ", c,
-                               ") closes a fan that is not a disc; the surface is not manifold there"));
+      throw InvalidMesh(
+          concat("make_mesh: face ", t, " (vertices ", a, ", ", b, ", ", c,
+                 ") closes a fan that is not a disc; the surface is not manifold there"));
     }
   }
   check_fans(mesh);

@@ -48,7 +48,8 @@ TEST(MakeMesh, ThrowsOnAFlippedFace) {
 }
 
 TEST(MakeMesh, ThrowsOnThreeFacesAtAnEdge) {
-  EXPECT_THROW((void)make_mesh(unit_corners, Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 3}}), InvalidMesh);
+  EXPECT_THROW((void)make_mesh(unit_corners, Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 3}}),
+               InvalidMesh);
 }
 
 TEST(MakeMesh, ThrowsOnTwoFansAtAVertex) {

@@ -11,10 +11,11 @@ inline constexpr double default_bond_length = 1.42;
 /// Edge length of equilateral triangles whose centroids are one bond apart: √3 · bond.
 [[nodiscard]] double edge_length_for_bond(double bond);
 
-/// Takes the dual: one atom at each face's centroid, one bond per interior edge, one ring per interior
-/// vertex (atoms counter-clockwise seen from outside). Atom i belongs to face i.
+/// Takes the dual: one atom at each face's centroid, one bond per interior edge, one ring per
+/// interior vertex (atoms counter-clockwise seen from outside). Atom i belongs to face i, bonds
+/// follow the order of the edges and rings that of the vertices.
 ///
-/// @throws InvalidNetwork if the mesh has no faces.
+/// @throws InvalidNetwork if the mesh has no faces, or an interior vertex has valence 2.
 [[nodiscard]] Network build_dual(const remesh::TriMesh& mesh);
 
 /// Mean bond length [Å]; 0 without bonds.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <sstream>
 #include <stdexcept>
-#include <string>
+
+#include "trivalent/remesh/error.h"
 
 namespace trivalent::dual {
 
-/// Base of everything this library throws on purpose.
+/// Base of what only this library throws.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,9 +21,9 @@ struct InvalidOption : Error {
   using Error::Error;
 };
 
-/// A file is missing, unreadable, malformed, or cannot be written.
-struct FileError : Error {
-  using Error::Error;
-};
+// One kind for the files of both libraries, since one function writes them all.
+using remesh::FileError;
+
+using remesh::concat;
 
 }  // namespace trivalent::dual

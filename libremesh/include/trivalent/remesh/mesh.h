@@ -30,10 +30,14 @@ using EdgeHandle = OpenMesh::EdgeHandle;
 using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 using FaceHandle = OpenMesh::FaceHandle;
 
+/// Position of a vertex in arrays with one entry per vertex.
+[[nodiscard]] inline std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
+
 /// Builds a half-edge mesh from points and triangles (indices into points, counter-clockwise seen
 /// from outside). Points that no triangle uses stay as isolated vertices.
 ///
-/// @throws InvalidMesh if a coordinate is not finite, an index is out of range, a triangle repeats a
+/// @throws InvalidMesh if a coordinate is not finite, an index is out of range, a triangle repeats
+/// a
 ///   corner, or the triangles do not form an oriented 2-manifold; the message names the element.
 [[nodiscard]] TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
                                 std::span<const std::array<int, 3>> triangles);

@@ -26,11 +26,11 @@ struct MeshQuality {
   int components = 0;
   int boundary_loops = 0;
   Spread edge_length;
-  std::map<int, int> valences;  ///< interior vertices by valence
+  std::map<int, int> valences;    ///< interior vertices by valence
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices; 0 if none
-  double smallest_angle = 0.0;  ///< [rad]
-  double largest_angle = 0.0;   ///< [rad]
-  int self_intersections = 0;   ///< pairs of faces that meet elsewhere than in shared vertices or edges
+  double smallest_angle = 0.0;    ///< [rad]
+  double largest_angle = 0.0;     ///< [rad]
+  int self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share
 };
 
 /// Measures a mesh. Cost: O(n log n) for n faces, dominated by the intersection test.
@@ -46,9 +46,9 @@ struct SurfaceDistance {
 
 /// Both directions, since neither bounds the other.
 struct TwoSidedDistance {
-  SurfaceDistance to_original;    ///< from samples of the mesh to the original
-  SurfaceDistance from_original;  ///< from samples of the original to the mesh
-  double diagonal = 0.0;          ///< bounding-box diagonal of the original
+  SurfaceDistance to_original;                    ///< from samples of the mesh to the original
+  SurfaceDistance from_original;                  ///< from samples of the original to the mesh
+  double diagonal = 0.0;                          ///< bounding-box diagonal of the original
   [[nodiscard]] double max() const;               ///< the larger of both directions
   [[nodiscard]] double root_mean_square() const;  ///< the larger of both directions
 };

@@ -31,9 +31,9 @@ struct RemeshOptions {
   double tolerance = 0.2;           ///< σ/m_i, in (0, 1): edges within m_i ± σ are left alone
   Restriction restriction = Restriction::hard;
   /// Edges whose faces' normals differ by more than this [rad] are creases; none: no creases.
-  std::optional<double> feature_angle;
+  std::optional<double> feature_angle = std::nullopt;
   /// Called after every iteration; the mesh returned does not depend on it.
-  std::function<void(const RemeshProgress&)> on_progress;
+  std::function<void(const RemeshProgress&)> on_progress = {};
 };
 
 /// The remeshed surface and how it came out.
@@ -54,6 +54,9 @@ struct RemeshResult {
 /// @param mesh  Oriented 2-manifold, open or closed; becomes the surface that vertices lie on.
 /// @throws InvalidMesh    if the mesh has no faces.
 /// @throws InvalidOption  if an option is out of its range, or m is larger than the shape can hold.
+///
+/// A component can hold m if its area has room for the 20 faces of an icosahedron (for 2 if it is
+/// open).
 ///
 /// Cost: O(iterations · (n log n + k² n)) for the larger of input and output size n.
 [[nodiscard]] RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options);

@@ -1,0 +1,270 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <ostream>
+
+#include "build_input.h"
+#include "command.h"
+#include "files.h"
+#include "remesh_options.h"
+#include "reports.h"
+#include "session.h"
+#include "shell_files.h"
+#include "size_options.h"
+#include "trivalent/dual/build_shell.h"
+#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/energy_ply.h"
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/lammps_data.h"
+#include "trivalent/potentials/error.h"
+#include "trivalent/potentials/rebo.h"
+#include "trivalent/remesh/mesh_io.h"
+#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/whole_file.h"
+
+namespace trivalent::apps {
+namespace {
+
+/// Seconds of every step, in order.
+class Stopwatch {
+ public:
+  void finish(const std::string& step) {
+    const auto now = std::chrono::steady_clock::now();
+    seconds_[step] = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+  [[nodiscard]] const Json& seconds() const { return seconds_; }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  Json seconds_ = Json::object();
+};
+
+/// Everything known about a shell that was built; lengths in Å.
+struct BuildRecord {
+  std::vector<std::string> notes = {};
+  remesh::MeshQuality input_quality = {};
+  dual::Shell shell = {};
+  remesh::MeshQuality quality = {};
+  remesh::TwoSidedDistance distance = {};
+  dual::NetworkReport network = {};
+  potentials::EnergyForces energy = {};
+  dual::EnergySummary energy_before = {};
+  bool has_energy_before = false;
+  Stopwatch stopwatch = {};
+};
+
+Grammar grammar_of_build() {
+  Grammar grammar = {.arguments = {"SHAPE"},
+                     .options = po::options_description("Size of the shell")};
+  add_shell_size_options(grammar.options);
+  po::options_description remeshing("Remeshing");
+  add_remesh_options(remeshing);
+  po::options_description files("Output");
+  files.add_options()("output,o", po::value<std::string>(),
+                      "folder for the results; must be given");
+  add_file_options(files);
+  grammar.options.add(remeshing).add(files);
+  grammar.epilog =
+      "SHAPE is a mesh file (OFF, OBJ, PLY, STL) or a built-in shape.\n"
+      "Writes surface.off, shell.extxyz, shell.data, in.check (run it with lmp -in in.check),\n"
+      "energy.ply and report.json.\n\n" +
+      shapes_help();
+  return grammar;
+}
+
+/// Refuses, before any work, a folder that could not be made or filled afterwards.
+void check_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::path existing = std::filesystem::absolute(folder);
+  while (!std::filesystem::exists(existing, error) && existing != existing.root_path()) {
+    existing = existing.parent_path();
+  }
+  const bool is_folder = std::filesystem::is_directory(existing, error);
+  if (is_folder && access(existing.c_str(), W_OK) == 0) return;
+  throw remesh::FileError("build: cannot write into " + folder.string() + ": " + existing.string() +
+                          (is_folder ? " is not writable" : " is not a folder"));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && std::filesystem::is_directory(folder, error)) return;
+  throw remesh::FileError("build: cannot make the folder " + folder.string() + ": " +
+                          (error ? error.message() : "something else is called so"));
+}
+
+/// Energies of the dual of the surface as it came, at the same mean bond. Such a dual may be beyond
+/// any potential (atoms on top of each other); that is a finding, not a failure of the build.
+void measure_energy_before(remesh::TriMesh original, BuildRecord& record) {
+  try {
+    remesh::scale(original,
+                  dual::scale_for_size(original, dual::MeanBond{record.network.bond_mean}));
+    const auto atoms = dual::carbon_atoms(dual::build_dual(original));
+    record.energy_before = dual::summarize_energies(potentials::rebo(atoms).energies, 0);
+    record.has_energy_before = true;
+  } catch (const dual::InvalidNetwork& error) {
+    record.notes.push_back(std::string("the input has no dual to compare with: ") + error.what());
+  } catch (const potentials::InvalidAtoms& error) {
+    record.notes.push_back(std::string("the input's dual has no energy: ") + error.what());
+  }
+}
+
+void note_findings(BuildRecord& record) {
+  const auto& network = record.network;
+  if (record.quality.boundary_loops == 0 && !network.is_trivalent()) {
+    record.notes.push_back("not every atom has three bonds");
+  }
+  if (record.quality.boundary_loops > 0) {
+    record.notes.push_back("the surface is open: atoms at its edge have fewer than three bonds");
+  }
+  if (record.quality.self_intersections > 0) {
+    record.notes.push_back("the remeshed surface intersects itself in " +
+                           std::to_string(record.quality.self_intersections) +
+                           " pairs of triangles");
+  }
+}
+
+BuildRecord build(const Session& session) {
+  BuildRecord record;
+  dual::ShellOptions options = {.size = shell_size(session),
+                                .bond = session.get<double>("bond"),
+                                .remesh = remesh_options(session)};
+  BuildInput input = read_build_input(session.get<std::string>("SHAPE"), options);
+  record.notes = std::move(input.notes);
+  record.input_quality = remesh::measure_quality(input.mesh);
+  record.stopwatch.finish("read");
+
+  record.shell = dual::build_shell(input.mesh, options);
+  record.stopwatch.finish("remesh_and_dual");
+
+  remesh::TriMesh original = std::move(input.mesh);
+  remesh::scale(original, record.shell.scale);
+  record.quality = remesh::measure_quality(record.shell.surface.mesh);
+  record.distance = remesh::measure_distance(record.shell.surface.mesh, original);
+  record.network = dual::check_network(record.shell.network);
+  record.stopwatch.finish("measure");
+
+  record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
+  measure_energy_before(std::move(original), record);
+  record.stopwatch.finish("energies");
+  note_findings(record);
+  return record;
+}
+
+void write_files(const std::filesystem::path& folder, const BuildRecord& record,
+                 const Session& session) {
+  const dual::Network& network = record.shell.network;
+  remesh::write_mesh(record.shell.surface.mesh, folder / "surface.off");
+
+  dual::XyzFrame frame = shell_frame(network);
+  add_energies(frame, record.energy);
+  dual::write_xyz(folder / "shell.extxyz", frame, digits(session));
+
+  const dual::LammpsData data = {.atoms = frame.atoms, .bonds = network.bonds};
+  const dual::AtomStyle style = atom_style(session);
+  dual::write_lammps_data(folder / "shell.data", data, {.style = style, .digits = digits(session)});
+  dual::write_lammps_check(
+      folder / "in.check",
+      {.data_file = "shell.data", .style = style, .expected_energy = record.energy.energy});
+
+  const auto scale = dual::make_color_scale(record.energy.energies, dual::graphene_energy);
+  dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies, {.scale = scale});
+}
+
+Json energy_json(const dual::EnergySummary& summary) {
+  return {{"energy", summary.total},
+          {"energy_per_atom", summary.mean},
+          {"excess_per_atom", summary.excess()},
+          {"lowest", summary.lowest},
+          {"highest", summary.highest}};
+}
+
+Json options_json(const Session& session) {
+  Json json = Json::object();
+  for (const auto& [name, value] : session.values) {
+    if (const auto* text = boost::any_cast<std::string>(&value.value())) json[name] = *text;
+    if (const auto* number = boost::any_cast<double>(&value.value())) json[name] = *number;
+    if (const auto* count = boost::any_cast<int>(&value.value())) json[name] = *count;
+  }
+  return json;
+}
+
+Json report_json(const BuildRecord& record, const Session& session) {
+  const auto after = dual::summarize_energies(record.energy.energies, 0);
+  Json json = {{"program", "trivalent"},
+               {"version", TRIVALENT_VERSION},
+               {"input", session.get<std::string>("SHAPE")},
+               {"options", options_json(session)},
+               {"notes", record.notes},
+               {"scale", record.shell.scale},
+               {"target_edge_length", record.shell.target_edge_length * record.shell.scale},
+               {"remeshings", record.shell.remeshings},
+               {"iterations", record.shell.surface.iterations},
+               {"input_quality", quality_json(record.input_quality)},
+               {"quality", quality_json(record.quality)},
+               {"distance", distance_json(record.distance)},
+               {"network", network_json(record.network)}};
+  json["energy"] = {{"potential", "rebo"}, {"unit", "eV"}, {"after", energy_json(after)}};
+  json["energy"]["before"] =
+      record.has_energy_before ? energy_json(record.energy_before) : Json(nullptr);
+  json["seconds"] = record.stopwatch.seconds();
+  return json;
+}
+
+std::string energy_text(const dual::EnergySummary& summary) {
+  return "mean " + decimals(summary.mean, 4) + ", worst " + decimals(summary.highest, 4) +
+         " eV, above graphene " + decimals(1000.0 * summary.excess(), 1) + " meV/atom";
+}
+
+std::vector<TableRow> summary_rows(const BuildRecord& record) {
+  std::vector<TableRow> rows = {{"surface [Å]"}};
+  append(rows, quality_rows(record.quality));
+  append(rows, distance_rows(record.distance));
+  rows.push_back({"shell"});
+  append(rows, network_rows(record.network));
+  rows.push_back({"REBO energy per atom"});
+  if (record.has_energy_before) {
+    rows.push_back({"dual of the input", energy_text(record.energy_before)});
+  }
+  const auto after = dual::summarize_energies(record.energy.energies, 0);
+  rows.push_back({"shell", energy_text(after)});
+  rows.push_back({"total", decimals(after.total, 8) + " eV"});
+  return rows;
+}
+
+void run(const Command& self, std::span<const std::string> arguments) {
+  const auto session = start(self, arguments, grammar_of_build());
+  if (!session) return;
+  if (!session->has("output")) throw UsageError("-o must say into which folder the results go");
+  static_cast<void>(digits(*session));
+  static_cast<void>(atom_style(*session));
+  static_cast<void>(shell_size(*session));
+  const std::filesystem::path folder = session->get<std::string>("output");
+  check_folder(folder);
+
+  BuildRecord record = build(*session);
+  make_folder(folder);
+  write_files(folder, record, *session);
+  record.stopwatch.finish("write");
+  const Json report = report_json(record, *session);
+  remesh::write_whole_file(folder / "report.json",
+                           [&](std::ostream& out) { out << json_text(report); });
+
+  session->terminal.notes(record.notes);
+  Result result = {.table = summary_rows(record), .json = report};
+  result.table.push_back({"results"});
+  result.table.push_back({"folder", folder.string()});
+  session->terminal.print(result);
+}
+
+}  // namespace
+
+const Command build_command = {
+    .name = "build",
+    .synopsis = "SHAPE -o DIR [--atoms N | --length L | --scale s] [options]",
+    .meaning = "Turns a shape into a carbon shell with energies and LAMMPS files: the whole way",
+    .run = run};
+
+}  // namespace trivalent::apps

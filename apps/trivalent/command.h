@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace trivalent::apps {
+
+/// One subcommand of the program.
+struct Command {
+  std::string_view name;
+  std::string_view synopsis;  ///< arguments in the usage line
+  std::string_view meaning;   ///< one line for the list of subcommands
+  void (*run)(const Command& self, std::span<const std::string> arguments);
+};
+
+extern const Command build_command;
+extern const Command remesh_command;
+extern const Command dual_command;
+extern const Command energy_command;
+extern const Command inspect_command;
+extern const Command shape_command;
+
+}  // namespace trivalent::apps

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "terminal.h"
+#include "trivalent/remesh/mesh.h"
+#include "trivalent/remesh/shapes.h"
+
+namespace trivalent::apps {
+
+/// What remesh::write_mesh can write.
+inline constexpr std::array<std::string_view, 4> mesh_extensions = {".off", ".obj", ".ply", ".stl"};
+
+/// The path's extension in lower case; of "a.data.gz" it is ".data".
+[[nodiscard]] std::string extension_of(const std::filesystem::path& path);
+
+/// Refuses, before any work, an output that could not be written afterwards.
+///
+/// @throws UsageError        if the extension is none of the given.
+/// @throws remesh::FileError if its folder does not exist or it is a folder itself.
+void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions);
+
+/// A built-in shape and its parameters, as in "torus:R=3,r=1".
+struct ShapeCall {
+  std::string name;
+  std::vector<remesh::ShapeArgument> arguments;
+};
+/// @throws UsageError if parameters are not name=number.
+[[nodiscard]] ShapeCall parse_shape(std::string_view text);
+
+/// Names and parameters of all built-in shapes, for --help.
+[[nodiscard]] std::string shapes_help();
+
+/// Whether the name, without parameters, is that of a built-in shape.
+[[nodiscard]] bool is_built_in(std::string_view name);
+
+/// Reads a mesh file, tells the terminal what was changed on the way in.
+[[nodiscard]] remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal);
+
+}  // namespace trivalent::apps

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "session.h"
+#include "trivalent/potentials/atoms.h"
+#include "trivalent/potentials/energy_forces.h"
+
+namespace trivalent::apps {
+
+/// --potential, and --lj-epsilon, --lj-sigma, --lj-cutoff, --lj-shift.
+void add_potential_options(po::options_description& options);
+
+/// @throws UsageError if there is no such potential.
+void check_potential(const Session& session);
+
+/// Evaluates the potential that the options choose.
+[[nodiscard]] potentials::EnergyForces evaluate(const potentials::Atoms& atoms,
+                                                const Session& session);
+
+/// Whether energies may be compared with those of graphene under REBO.
+[[nodiscard]] bool is_rebo(const Session& session);
+
+}  // namespace trivalent::apps

@@ -1,0 +1,57 @@
+#include "trivalent/remesh/remesh.h"
+
+#include "command.h"
+#include "files.h"
+#include "remesh_options.h"
+#include "reports.h"
+#include "session.h"
+#include "trivalent/remesh/mesh_io.h"
+#include "trivalent/remesh/mesh_quality.h"
+
+namespace trivalent::apps {
+namespace {
+
+Grammar grammar_of_remesh() {
+  Grammar grammar = {.arguments = {"IN", "OUT"}, .options = po::options_description("Options")};
+  grammar.options.add_options()  //
+      ("edge", po::value<double>(),
+       "m, the wanted edge length in units of the mesh; must be given");
+  add_remesh_options(grammar.options);
+  return grammar;
+}
+
+void run(const Command& self, std::span<const std::string> arguments) {
+  const auto session = start(self, arguments, grammar_of_remesh());
+  if (!session) return;
+  if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
+  remesh::RemeshOptions options = remesh_options(*session);
+  options.target_edge_length = session->get<double>("edge");
+  const auto& output = session->get<std::string>("OUT");
+  check_output(output, mesh_extensions);
+
+  const remesh::TriMesh original =
+      read_mesh_file(session->get<std::string>("IN"), session->terminal);
+  const remesh::RemeshResult remeshed = remesh::remesh(original, options);
+  remesh::write_mesh(remeshed.mesh, output);
+
+  const auto quality = remesh::measure_quality(remeshed.mesh);
+  const auto distance = remesh::measure_distance(remeshed.mesh, original);
+  Result result = {.table = {{"wrote", output}}, .json = {{"file", output}}};
+  append(result.table, quality_rows(quality));
+  append(result.table, distance_rows(distance));
+  result.json["iterations"] = remeshed.iterations;
+  result.json["target_edge_length"] = options.target_edge_length;
+  result.json["quality"] = quality_json(quality);
+  result.json["distance"] = distance_json(distance);
+  session->terminal.print(result);
+}
+
+}  // namespace
+
+const Command remesh_command = {
+    .name = "remesh",
+    .synopsis = "IN OUT --edge m [options]",
+    .meaning = "Remeshes a surface until all edges come close to one length",
+    .run = run};
+
+}  // namespace trivalent::apps

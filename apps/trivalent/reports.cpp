@@ -1,0 +1,122 @@
+#include "reports.h"
+
+#include <map>
+#include <numbers>
+
+namespace trivalent::apps {
+namespace {
+
+double degrees(double radian) { return radian * 180.0 / std::numbers::pi; }
+
+/// JSON has only text as keys.
+Json histogram_json(const std::map<int, int>& histogram) {
+  Json json = Json::object();
+  for (const auto& [key, count] : histogram) json[std::to_string(key)] = count;
+  return json;
+}
+
+std::string histogram_text(const std::map<int, int>& histogram) {
+  std::string text;
+  for (const auto& [key, count] : histogram) {
+    text += (text.empty() ? "" : ", ") + std::to_string(key) + ": " + std::to_string(count);
+  }
+  return text.empty() ? "none" : text;
+}
+
+Json one_sided_json(const remesh::SurfaceDistance& distance) {
+  return {{"max", distance.max}, {"mean", distance.mean}, {"rms", distance.root_mean_square}};
+}
+
+}  // namespace
+
+Json quality_json(const remesh::MeshQuality& quality) {
+  const remesh::Spread& edge = quality.edge_length;
+  return {{"vertices", quality.vertices},
+          {"edges", quality.edges},
+          {"faces", quality.faces},
+          {"euler_characteristic", quality.euler_characteristic},
+          {"components", quality.components},
+          {"boundary_loops", quality.boundary_loops},
+          {"edge_length",
+           {{"mean", edge.mean},
+            {"standard_deviation", edge.standard_deviation},
+            {"relative_spread", edge.relative()},
+            {"min", edge.min},
+            {"max", edge.max}}},
+          {"valences", histogram_json(quality.valences)},
+          {"regular_fraction", quality.regular_fraction},
+          {"smallest_angle_degrees", degrees(quality.smallest_angle)},
+          {"largest_angle_degrees", degrees(quality.largest_angle)},
+          {"self_intersections", quality.self_intersections}};
+}
+
+Json distance_json(const remesh::TwoSidedDistance& distance) {
+  return {{"max", distance.max()},
+          {"rms", distance.root_mean_square()},
+          {"max_of_diagonal", distance.max() / distance.diagonal},
+          {"rms_of_diagonal", distance.root_mean_square() / distance.diagonal},
+          {"diagonal", distance.diagonal},
+          {"to_original", one_sided_json(distance.to_original)},
+          {"from_original", one_sided_json(distance.from_original)}};
+}
+
+Json network_json(const dual::NetworkReport& network) {
+  return {{"atoms", network.atoms},
+          {"bonds", network.bonds},
+          {"rings", network.rings},
+          {"coordinations", histogram_json(network.coordinations)},
+          {"ring_sizes", histogram_json(network.ring_sizes)},
+          {"hexagon_fraction", network.hexagon_fraction},
+          {"ring_excess", network.ring_excess},
+          {"is_trivalent", network.is_trivalent()},
+          {"bond_length",
+           {{"mean", network.bond_mean},
+            {"standard_deviation", network.bond_spread},
+            {"min", network.bond_min},
+            {"max", network.bond_max}}}};
+}
+
+std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
+  const remesh::Spread& edge = quality.edge_length;
+  return {{"vertices, edges, faces", std::to_string(quality.vertices) + ", " +
+                                         std::to_string(quality.edges) + ", " +
+                                         std::to_string(quality.faces)},
+          {"Euler characteristic", std::to_string(quality.euler_characteristic)},
+          {"components", std::to_string(quality.components)},
+          {"boundary loops", std::to_string(quality.boundary_loops)},
+          {"edge length", "mean " + significant(edge.mean, 6) + ", CV " + percent(edge.relative()) +
+                              ", " + significant(edge.min) + " to " + significant(edge.max)},
+          {"valence 6", percent(quality.regular_fraction)},
+          {"valences", histogram_text(quality.valences)},
+          {"angles", decimals(degrees(quality.smallest_angle), 1) + "° to " +
+                         decimals(degrees(quality.largest_angle), 1) + "°"},
+          {"self-intersections", std::to_string(quality.self_intersections)}};
+}
+
+std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance) {
+  const auto row = [&](double value) {
+    return significant(value) + " (" + decimals(100.0 * value / distance.diagonal, 3) +
+           " % of the diagonal)";
+  };
+  return {{"largest distance", row(distance.max())},
+          {"rms distance", row(distance.root_mean_square())}};
+}
+
+std::vector<TableRow> network_rows(const dual::NetworkReport& network) {
+  return {
+      {"atoms, bonds, rings", std::to_string(network.atoms) + ", " + std::to_string(network.bonds) +
+                                  ", " + std::to_string(network.rings)},
+      {"atoms by bonds", histogram_text(network.coordinations)},
+      {"rings by size", histogram_text(network.ring_sizes)},
+      {"hexagons", percent(network.hexagon_fraction)},
+      {"sum of 6 - ring size", std::to_string(network.ring_excess)},
+      {"bond length [Å]", "mean " + decimals(network.bond_mean, 4) + ", " +
+                              decimals(network.bond_min, 3) + " to " +
+                              decimals(network.bond_max, 3)}};
+}
+
+void append(std::vector<TableRow>& rows, const std::vector<TableRow>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+}  // namespace trivalent::apps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "terminal.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/remesh/mesh_quality.h"
+
+namespace trivalent::apps {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of the libraries as JSON; lengths are in the unit of what was measured.
+[[nodiscard]] Json quality_json(const remesh::MeshQuality& quality);
+[[nodiscard]] Json distance_json(const remesh::TwoSidedDistance& distance);
+[[nodiscard]] Json network_json(const dual::NetworkReport& network);
+
+// The same for people.
+[[nodiscard]] std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality);
+[[nodiscard]] std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance);
+[[nodiscard]] std::vector<TableRow> network_rows(const dual::NetworkReport& network);
+
+void append(std::vector<TableRow>& rows, const std::vector<TableRow>& more);
+
+}  // namespace trivalent::apps

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <boost/program_options.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.h"
+#include "terminal.h"
+
+namespace trivalent::apps {
+
+namespace po = boost::program_options;
+
+/// The command line asks for something that does not exist or does not fit together: exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a subcommand takes: its arguments by position, all required, and its options.
+struct Grammar {
+  std::vector<std::string> arguments;
+  po::options_description options;
+  std::string epilog = {};  ///< printed after the options in --help
+};
+
+/// A subcommand at work: what it was told, where it talks, and how many threads it has.
+struct Session {
+  po::variables_map values;
+  Terminal terminal;
+  std::unique_ptr<tbb::global_control> thread_limit;
+
+  [[nodiscard]] bool has(const std::string& name) const { return values.count(name) > 0; }
+  template <typename Value>
+  [[nodiscard]] const Value& get(const std::string& name) const {
+    return values[name].as<Value>();
+  }
+  template <typename Value>
+  [[nodiscard]] std::optional<Value> find(const std::string& name) const {
+    return has(name) ? std::optional<Value>(get<Value>(name)) : std::nullopt;
+  }
+};
+
+/// Reads the arguments of a subcommand; --json, --quiet, --threads and --help are added to its
+/// options. Returns none after printing the help that was asked for.
+///
+/// @throws UsageError, boost::program_options::error on a command line that makes no sense.
+[[nodiscard]] std::optional<Session> start(const Command& command,
+                                           std::span<const std::string> arguments, Grammar grammar);
+
+/// An option's value with a default that --help shows as a person would write it.
+template <typename Value>
+[[nodiscard]] po::typed_value<Value>* with_default(const Value& value) {
+  std::ostringstream text;
+  text << value;
+  return po::value<Value>()->default_value(value, text.str());
+}
+
+}  // namespace trivalent::apps

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "session.h"
+#include "trivalent/dual/lammps_data.h"
+#include "trivalent/dual/network.h"
+#include "trivalent/dual/xyz.h"
+#include "trivalent/potentials/energy_forces.h"
+
+namespace trivalent::apps {
+
+/// --digits and --atom-style.
+void add_file_options(po::options_description& options);
+
+/// --digits: decimals or 17.
+///
+/// @throws UsageError on anything else.
+[[nodiscard]] dual::Digits digits(const Session& session);
+
+/// --atom-style: atomic or molecular.
+///
+/// @throws UsageError on anything else.
+[[nodiscard]] dual::AtomStyle atom_style(const Session& session);
+
+/// A network with its coordinations and rings, and its energies and forces where there are any.
+[[nodiscard]] dual::XyzFrame shell_frame(const dual::Network& network);
+void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result);
+
+}  // namespace trivalent::apps

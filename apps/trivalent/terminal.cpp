@@ -1,0 +1,95 @@
+#include "terminal.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace trivalent::apps {
+namespace {
+
+bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+std::string bar(const remesh::RemeshProgress& state) {
+  constexpr int width = 24;
+  const int filled = state.iterations > 0 ? width * state.iteration / state.iterations : width;
+  const auto n_filled = static_cast<std::size_t>(std::clamp(filled, 0, width));
+  return '[' + std::string(n_filled, '#') + std::string(width - n_filled, '.') + ']';
+}
+
+std::string state_line(const remesh::RemeshProgress& state) {
+  std::ostringstream line;
+  line << "remeshing " << state.iteration << '/' << state.iterations << ": " << state.vertices
+       << " vertices, mean edge " << significant(state.mean_edge_length) << ", CV "
+       << percent(state.relative_spread) << ", valence 6 " << percent(state.regular_fraction);
+  return line.str();
+}
+
+/// Characters, not bytes: all but the continuation bytes of UTF-8.
+std::size_t display_width(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+}  // namespace
+
+void Terminal::note(std::string_view sentence) const {
+  if (remarks_ == Remarks::none) return;
+  std::cerr << sentence << '\n';
+}
+
+void Terminal::notes(const std::vector<std::string>& sentences) const {
+  for (const std::string& sentence : sentences) note("note: " + sentence);
+}
+
+void Terminal::progress(const remesh::RemeshProgress& state) const {
+  if (remarks_ == Remarks::none) return;
+  if (!is_terminal()) {
+    std::cerr << state_line(state) << '\n';
+    return;
+  }
+  constexpr std::string_view clear_line = "\r\x1b[K";
+  const bool is_last = state.iteration >= state.iterations;
+  std::cerr << clear_line << bar(state) << ' ' << state_line(state) << (is_last ? "\n" : "")
+            << std::flush;
+}
+
+void Terminal::print(const Result& result) const {
+  if (result_kind_ == ResultKind::json) {
+    std::cout << json_text(result.json);
+    return;
+  }
+  std::size_t width = 0;
+  for (const TableRow& row : result.table) width = std::max(width, display_width(row.name));
+  for (const TableRow& row : result.table) {
+    if (row.value.empty()) {
+      std::cout << row.name << '\n';
+      continue;
+    }
+    const std::string filler(width + 2 - display_width(row.name), ' ');
+    std::cout << "  " << row.name << filler << row.value << '\n';
+  }
+}
+
+std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string decimals(double value, int n_decimals) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(n_decimals) << value;
+  return text.str();
+}
+
+std::string percent(double fraction) { return decimals(100.0 * fraction, 1) + " %"; }
+
+std::string significant(double value, int n_digits) {
+  std::ostringstream text;
+  text << std::setprecision(n_digits) << value;
+  return text.str();
+}
+
+}  // namespace trivalent::apps

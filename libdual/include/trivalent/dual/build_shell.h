@@ -1,0 +1,54 @@
+#pragma once
+
+#include <variant>
+
+#include "trivalent/dual/dual_size.h"
+#include "trivalent/dual/network.h"
+#include "trivalent/remesh/mesh.h"
+#include "trivalent/remesh/remesh.h"
+
+namespace trivalent::dual {
+
+/// About so many atoms.
+struct AtomCount {
+  int atoms = 10000;  ///< >= 20
+};
+
+/// Size of a shell to be made.
+using ShellSize = std::variant<AtomCount, LongestSide, Scale>;
+
+struct ShellOptions {
+  ShellSize size = AtomCount{};
+  double bond = default_bond_length;  ///< wanted mean bond length [Å], > 0
+  remesh::RemeshOptions remesh;       ///< target_edge_length follows from size and bond
+};
+
+/// About how many atoms a shell would have: as many as equilateral triangles fit its area. A cheap
+/// look before the work.
+///
+/// @throws InvalidOption  if size or bond is out of its range.
+/// @throws InvalidNetwork if the mesh has no faces or no extent.
+[[nodiscard]] double estimate_atom_count(const remesh::TriMesh& mesh, const ShellOptions& options);
+
+/// A carbon shell and the surface it is the dual of, both in Å.
+struct Shell {
+  remesh::RemeshResult surface;
+  Network network;
+  double scale = 1.0;               ///< [Å per unit of the input]
+  double target_edge_length = 0.0;  ///< of the last remeshing [unit of the input]
+  int remeshings = 0;               ///< made until the number of atoms fitted
+};
+
+/// Remeshes a surface so that its dual has the wanted size and bonds, and takes the dual.
+///
+/// Given a number of atoms, the edge length comes from the area, is corrected (three times at most)
+/// until the number is met to 2 %, and the mean bond is exactly the wanted one. Given a length or a
+/// scale, that is met exactly, and bonds follow the wanted length as closely as edges their target.
+///
+/// @throws InvalidOption         if size or bond is out of its range.
+/// @throws InvalidNetwork        if the mesh has no faces or no extent, or the remeshed one no
+/// dual.
+/// @throws remesh::InvalidOption as remesh().
+[[nodiscard]] Shell build_shell(const remesh::TriMesh& mesh, const ShellOptions& options);
+
+}  // namespace trivalent::dual

@@ -1,0 +1,87 @@
+#include "trivalent/dual/build_shell.h"
+
+#include <cmath>
+
+#include "trivalent/dual/error.h"
+
+namespace trivalent::dual {
+namespace {
+
+using remesh::TriMesh;
+
+/// Area of an equilateral triangle of edge 1.
+const double unit_face_area = std::sqrt(3.0) / 4.0;
+
+void check_options(const TriMesh& mesh, const ShellOptions& options) {
+  if (mesh.n_faces() == 0) throw InvalidNetwork("build_shell: the mesh has no faces");
+  if (!std::isfinite(options.bond) || options.bond <= 0.0) {
+    throw InvalidOption(
+        concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
+  }
+  // The icosahedron's dual, C20, is the smallest fullerene.
+  constexpr int fewest_atoms = 20;
+  const auto* count = std::get_if<AtomCount>(&options.size);
+  if (count != nullptr && count->atoms < fewest_atoms) {
+    throw InvalidOption(
+        concat("build_shell: a shell needs at least ", fewest_atoms, " atoms, not ", count->atoms));
+  }
+}
+
+/// [Å per unit of the mesh], where the size says it.
+double given_scale(const TriMesh& mesh, const ShellSize& size) {
+  const auto* side = std::get_if<LongestSide>(&size);
+  return side != nullptr ? scale_for_size(mesh, *side)
+                         : scale_for_size(mesh, std::get<Scale>(size));
+}
+
+/// Remeshes to a target edge length in the unit of the mesh.
+void remesh_to(const TriMesh& mesh, const ShellOptions& options, double target, Shell& shell) {
+  remesh::RemeshOptions remesh_options = options.remesh;
+  remesh_options.target_edge_length = target;
+  shell.surface = remesh::remesh(mesh, remesh_options);
+  shell.target_edge_length = target;
+  ++shell.remeshings;
+}
+
+void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
+  shell.scale = given_scale(mesh, options.size);
+  remesh_to(mesh, options, edge_length_for_bond(options.bond) / shell.scale, shell);
+}
+
+void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
+  // Edges come out a little off their target, and chords of a curved surface cut its area.
+  constexpr int most_remeshings = 3;
+  constexpr double tolerance = 0.02;
+  double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
+  while (true) {
+    remesh_to(mesh, options, target, shell);
+    const double ratio = static_cast<double>(shell.surface.mesh.n_faces()) / atoms;
+    if (std::abs(ratio - 1.0) <= tolerance || shell.remeshings == most_remeshings) break;
+    target *= std::sqrt(ratio);
+  }
+  shell.scale = scale_for_size(shell.surface.mesh, MeanBond{options.bond});
+}
+
+}  // namespace
+
+double estimate_atom_count(const TriMesh& mesh, const ShellOptions& options) {
+  check_options(mesh, options);
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) return count->atoms;
+  const double edge = edge_length_for_bond(options.bond) / given_scale(mesh, options.size);
+  return remesh::surface_area(mesh) / (unit_face_area * edge * edge);
+}
+
+Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
+  check_options(mesh, options);
+  Shell shell;
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+    fit_atom_count(mesh, options, count->atoms, shell);
+  } else {
+    fit_scale(mesh, options, shell);
+  }
+  remesh::scale(shell.surface.mesh, shell.scale);
+  shell.network = build_dual(shell.surface.mesh);
+  return shell;
+}
+
+}  // namespace trivalent::dual

@@ -1,0 +1,24 @@
+#include "check_atoms.h"
+
+#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/error.h"
+
+namespace trivalent::dual {
+
+void check_atoms(std::string_view writer, const potentials::Atoms& atoms) {
+  if (atoms.species.size() != atoms.positions.size()) {
+    throw InvalidNetwork(concat(writer, ": ", atoms.positions.size(), " positions but ",
+                                atoms.species.size(), " species; there must be one per atom"));
+  }
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    if (atoms.positions[i].allFinite()) continue;
+    throw InvalidNetwork(concat(writer, ": atom ", i, " has a coordinate that is not finite"));
+  }
+}
+
+potentials::Box box_to_write(const potentials::Atoms& atoms) {
+  const bool is_bare_cluster = !atoms.box.is_periodic() && atoms.box.cell.isZero(0.0);
+  return is_bare_cluster ? padded_box(atoms.positions) : atoms.box;
+}
+
+}  // namespace trivalent::dual

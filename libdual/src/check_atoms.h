@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "trivalent/potentials/atoms.h"
+
+namespace trivalent::dual {
+
+/// Refuses atoms that no file should hold; writer is the public function's name, for the message.
+///
+/// @throws InvalidNetwork if a coordinate is not finite, or species are not as many as positions.
+void check_atoms(std::string_view writer, const potentials::Atoms& atoms);
+
+/// The atoms' own box, or a padded one for a cluster without.
+[[nodiscard]] potentials::Box box_to_write(const potentials::Atoms& atoms);
+
+}  // namespace trivalent::dual

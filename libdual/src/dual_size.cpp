@@ -1,0 +1,46 @@
+#include "trivalent/dual/dual_size.h"
+
+#include <cmath>
+#include <string_view>
+
+#include "trivalent/dual/error.h"
+
+namespace trivalent::dual {
+namespace {
+
+using remesh::TriMesh;
+
+void check_positive(std::string_view name, double value) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw InvalidOption(concat("scale_for_size: ", name, " must be > 0 and finite, but is ", value));
+}
+
+struct ScaleForSize {
+  const TriMesh& mesh;
+
+  double operator()(const MeanBond& bond) const {
+    check_positive("the bond length", bond.length);
+    const double mean = mean_bond_length(build_dual(mesh));
+    if (mean > 0.0) return bond.length / mean;
+    throw InvalidNetwork("scale_for_size: the dual has no bonds to measure; give a scale instead");
+  }
+  double operator()(const LongestSide& side) const {
+    check_positive("the longest side", side.length);
+    const double longest = remesh::bounding_box(mesh).longest_side();
+    if (longest > 0.0) return side.length / longest;
+    throw InvalidNetwork("scale_for_size: the mesh has no extent");
+  }
+  double operator()(const Scale& scale) const {
+    check_positive("the scale", scale.factor);
+    return scale.factor;
+  }
+};
+
+}  // namespace
+
+double scale_for_size(const TriMesh& mesh, const DualSize& size) {
+  if (mesh.n_faces() == 0) throw InvalidNetwork("scale_for_size: the mesh has no faces");
+  return std::visit(ScaleForSize{mesh}, size);
+}
+
+}  // namespace trivalent::dual

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// Points and polygons as a file holds them: every index in range and every coordinate finite, but
+/// nothing is known of how the polygons connect.
+struct PolygonSoup {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<int> corners;        ///< of all polygons, one after the other; indices into points
+  std::vector<std::size_t> ends;   ///< one per polygon: where its corners end
+  std::vector<std::string> notes;  ///< one sentence per kind of change made while reading
+
+  [[nodiscard]] std::span<const int> polygon(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+    return std::span(corners).subspan(begin, ends[i] - begin);
+  }
+};
+
+/// Points and triangles that have at least three different corners each.
+struct TriangleSoup {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::string> notes;  ///< those of the polygons, and what was changed since
+};
+
+/// Reads what a mesh file holds; see read_mesh() for kinds of files and errors.
+[[nodiscard]] PolygonSoup read_polygon_soup(const std::filesystem::path& path);
+
+/// The same for the bytes of a file, unpacked if they are gzipped; its name tells the extension and
+/// stands in messages. Needs no more memory than a small multiple of the (unpacked) bytes.
+[[nodiscard]] PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name);
+
+/// Splits polygons into triangles: quads along the shorter diagonal that lies inside, convex
+/// polygons into fans, others by cutting off ears in their mean plane. Repeated corners are merged,
+/// and polygons left with fewer than three dropped; all is noted.
+///
+/// @throws InvalidMesh if a polygon that is not convex has more than 1000 corners.
+[[nodiscard]] TriangleSoup triangulate(const PolygonSoup& soup);
+
+}  // namespace trivalent::remesh

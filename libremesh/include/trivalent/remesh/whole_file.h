@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+
+namespace trivalent::remesh {
+
+/// Writes a file so that it appears whole or not at all.
+///
+/// Writes beside the path, brings the bytes to the disk, then renames over the path; an old file
+/// stays as it was until then. A symbolic link is followed. Devices and pipes, such as /dev/stdout,
+/// are written directly.
+///
+/// @param write  Writes the contents; what it throws is passed on after cleaning up.
+/// @throws FileError if the path is a directory, the folder is missing or not writable, or the disk
+///   is full; the message says which.
+void write_whole_file(const std::filesystem::path& path,
+                      const std::function<void(std::ostream&)>& write);
+
+}  // namespace trivalent::remesh

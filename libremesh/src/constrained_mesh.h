@@ -1,0 +1,50 @@
+#pragma once
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include "feature_curves.h"
+#include "surface_projector.h"
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// Where a vertex may go and where on the original it sits.
+struct Anchor {
+  FeatureKind kind = FeatureKind::none;
+  int face = 0;         ///< of the original, at or near the vertex
+  CurvePoint on_curve;  ///< for kind `curve`
+};
+
+/// A mesh that lies on an original surface: vertices on the surface move on it, those on a feature
+/// curve slide along the curve, corners stay.
+class ConstrainedMesh {
+ public:
+  /// @param mesh  The original surface; changed in place by the steps of the remeshing.
+  ConstrainedMesh(TriMesh& mesh, std::optional<double> feature_angle);
+
+  [[nodiscard]] const SurfaceProjector& surface() const { return surface_; }
+  [[nodiscard]] const FeatureCurves& curves() const { return curves_; }
+
+  [[nodiscard]] const Anchor& anchor(VertexHandle v) const { return anchors_[v]; }
+  void set_anchor(VertexHandle v, const Anchor& anchor) { anchors_[v] = anchor; }
+  /// The feature curve that an edge lies along: such an edge is never flipped, and collapses only
+  /// along the curve.
+  [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[e]; }
+  void set_curve(EdgeHandle e, std::optional<int> curve) { curve_of_[e] = curve; }
+
+  /// The allowed point nearest to p for a vertex with this anchor, which is updated.
+  [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& p, Anchor& anchor) const;
+
+  /// Unit normal of the original surface at the vertex.
+  [[nodiscard]] Eigen::Vector3d normal(VertexHandle v) const;
+
+  TriMesh& mesh;
+
+ private:
+  SurfaceProjector surface_;
+  FeatureCurves curves_;
+  OpenMesh::VProp<Anchor> anchors_;
+  OpenMesh::EProp<std::optional<int>> curve_of_;
+};
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// A place on a feature curve: which curve, which of its segments, and where.
+struct CurvePoint {
+  int curve = 0;
+  int segment = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/// What a vertex of the surface is to the features.
+enum class FeatureKind {
+  none,    ///< inside a smooth region
+  curve,   ///< inside a curve: an open boundary or a crease
+  corner,  ///< where curves end, meet or turn sharply
+};
+
+/// The curves of a surface that vertices may slide along but not leave: its open boundaries and, if
+/// asked for, its creases, cut at corners.
+class FeatureCurves {
+ public:
+  /// @param feature_angle  Edges whose faces' normals differ by more than this [rad] are creases;
+  ///   none: only boundaries.
+  FeatureCurves(const TriMesh& surface, std::optional<double> feature_angle);
+
+  [[nodiscard]] bool empty() const { return curves_.empty(); }
+
+  /// The curve that an edge of the surface is part of.
+  [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[index(e)]; }
+  [[nodiscard]] FeatureKind kind(VertexHandle v) const { return kinds_[index(v)]; }
+  /// Where a vertex of kind `curve` sits.
+  [[nodiscard]] const CurvePoint& at(VertexHandle v) const { return places_[index(v)]; }
+
+  /// The point of near's curve that is nearest to p, sought along the curve as far as p has moved.
+  [[nodiscard]] CurvePoint nearest(const Eigen::Vector3d& p, const CurvePoint& near) const;
+
+  /// The point of a whole curve nearest to p.
+  [[nodiscard]] CurvePoint nearest(const Eigen::Vector3d& p, int curve) const;
+
+  /// Unit tangent of the curve there.
+  [[nodiscard]] Eigen::Vector3d tangent(const CurvePoint& p) const;
+
+ private:
+  struct Curve {
+    std::vector<Eigen::Vector3d> points;  // a closed curve repeats its first point at the end
+    bool closed = false;
+  };
+
+  template <typename Handle>
+  static std::size_t index(Handle h) {
+    return static_cast<std::size_t>(h.idx());
+  }
+  void find_features(const TriMesh& surface, std::optional<double> feature_angle);
+  void find_corners(const TriMesh& surface);
+  void trace_curves(const TriMesh& surface);
+  void trace(const TriMesh& surface, HalfedgeHandle first);
+
+  std::vector<bool> is_feature_;
+  std::vector<std::optional<int>> curve_of_;
+  std::vector<FeatureKind> kinds_;
+  std::vector<CurvePoint> places_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,171 @@
+#include "k_ring_laplacian.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// One-rings of all vertices, one after the other.
+struct OneRings {
+  std::vector<int> begin;
+  std::vector<int> vertices;
+};
+
+OneRings one_rings_of(const TriMesh& mesh) {
+  OneRings rings;
+  rings.begin.reserve(mesh.n_vertices() + 1);
+  rings.vertices.reserve(2 * mesh.n_edges());
+  rings.begin.push_back(0);
+  for (const auto v : mesh.vertices()) {
+    for (const auto neighbor : v.vertices()) rings.vertices.push_back(neighbor.idx());
+    rings.begin.push_back(static_cast<int>(rings.vertices.size()));
+  }
+  return rings;
+}
+
+struct Hop {
+  int vertex = 0;
+  int hops = 0;     // S_j
+  int parents = 0;  // vertices one hop nearer that it was reached from
+  Eigen::Vector3d offset =
+      Eigen::Vector3d::Zero();  // from the center, unfolded: mean over the parents
+};
+
+/// What lies in the plane of normal n, at full length.
+Eigen::Vector3d flattened(const Eigen::Vector3d& d, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d in_plane = d - n.dot(d) * n;
+  const double length = in_plane.norm();
+  return length > 0.0 ? Eigen::Vector3d(d.norm() / length * in_plane) : in_plane;
+}
+
+/// Turns d, in the plane of normal `from`, into that of normal `to` by the smallest rotation.
+Eigen::Vector3d turned(const Eigen::Vector3d& d, const Eigen::Vector3d& from,
+                       const Eigen::Vector3d& to) {
+  const double cosine = from.dot(to);
+  if (cosine < -0.99) return d;  // the rotation has no definite axis
+  return d - to.dot(d) / (1.0 + cosine) * (from + to);
+}
+
+/// Walks the rings around a vertex.
+class RingWalk {
+ public:
+  RingWalk(const Positions& positions, const OneRings& one_rings,
+           const std::vector<Eigen::Vector3d>& normals)
+      : positions_(positions), one_rings_(one_rings), normals_(normals) {}
+
+  /// All vertices within that many rings, the center included, by index.
+  const std::vector<Hop>& around(int center, int rings) {
+    found_.assign(1, Hop{center});
+    std::size_t ring_begin = 0;
+    for (int hops = 1; hops <= rings; ++hops) {
+      const std::size_t ring_end = found_.size();
+      for (std::size_t parent = ring_begin; parent < ring_end; ++parent) reach_from(parent, hops);
+      for (std::size_t f = ring_end; f < found_.size(); ++f) found_[f].offset /= found_[f].parents;
+      ring_begin = ring_end;
+    }
+    std::ranges::sort(found_, {}, &Hop::vertex);
+    return found_;
+  }
+
+ private:
+  void reach_from(std::size_t parent, int hops) {
+    const auto v = static_cast<std::size_t>(found_[parent].vertex);
+    const Eigen::Vector3d& normal = normals_[v];
+    const Eigen::Vector3d& center_normal = normals_[static_cast<std::size_t>(found_[0].vertex)];
+    for (int at = one_rings_.begin[v]; at < one_rings_.begin[v + 1]; ++at) {
+      const int w = one_rings_.vertices[static_cast<std::size_t>(at)];
+      // A handful of vertices: looking through them beats marking all vertices of the mesh.
+      auto known = std::ranges::find(found_, w, &Hop::vertex);
+      if (known == found_.end()) known = found_.insert(found_.end(), Hop{w, hops});
+      if (known->hops != hops) continue;
+      const Eigen::Vector3d edge =
+          (positions_.row(w) - positions_.row(found_[parent].vertex)).transpose();
+      known->offset +=
+          found_[parent].offset + turned(flattened(edge, normal), normal, center_normal);
+      ++known->parents;
+    }
+  }
+
+  const Positions& positions_;
+  const OneRings& one_rings_;
+  const std::vector<Eigen::Vector3d>& normals_;
+  std::vector<Hop> found_;
+};
+
+Positions positions_of(const TriMesh& mesh) {
+  Positions positions(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
+  for (const auto v : mesh.vertices()) positions.row(v.idx()) = mesh.point(v).transpose();
+  return positions;
+}
+
+/// Rows of the system for a run of vertices.
+struct Rows {
+  std::vector<int> sizes;  // entries per row
+  std::vector<int> columns;
+  std::vector<double> values;
+};
+
+/// Appends one row and returns its part of the gradient.
+Eigen::RowVector3d append_row(const std::vector<Hop>& found, Rows& rows) {
+  Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();
+  double sum = 0.0;
+  std::size_t diagonal = 0;
+  for (const Hop& hop : found) {
+    if (hop.hops == 0) diagonal = rows.values.size();
+    const double weight = hop.hops == 0 ? 0.0 : 1.0 / hop.hops;
+    rows.columns.push_back(hop.vertex);
+    rows.values.push_back(-weight);
+    gradient -= weight * hop.offset.transpose();
+    sum += weight;
+  }
+  rows.values[diagonal] = sum;
+  rows.sizes.push_back(static_cast<int>(found.size()));
+  return gradient;
+}
+
+/// Strings the runs together.
+SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
+  SparseMatrix matrix(n, n);
+  int* begin = matrix.outerIndexPtr();
+  std::size_t total = 0;
+  for (const Rows& run : runs) {
+    for (const int size : run.sizes) {
+      total += static_cast<std::size_t>(size);
+      *++begin = static_cast<int>(total);
+    }
+  }
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(total));
+  int* column = matrix.innerIndexPtr();
+  double* value = matrix.valuePtr();
+  for (const Rows& run : runs) {
+    column = std::ranges::copy(run.columns, column).out;
+    value = std::ranges::copy(run.values, value).out;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+KRingSystem k_ring_system(const TriMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+                          int rings) {
+  constexpr std::size_t run_length = 4096;
+  const OneRings one_rings = one_rings_of(mesh);
+  const Positions positions = positions_of(mesh);
+  const std::size_t n = mesh.n_vertices();
+  std::vector<Rows> runs((n + run_length - 1) / run_length);
+  Positions gradient(static_cast<Eigen::Index>(n), 3);
+  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t run) {
+    RingWalk walk(positions, one_rings, normals);
+    for (std::size_t i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
+      gradient.row(static_cast<Eigen::Index>(i)) =
+          append_row(walk.around(static_cast<int>(i), rings), runs[run]);
+    }
+  });
+  return {assemble(runs, static_cast<Eigen::Index>(n)), std::move(gradient)};
+}
+
+}  // namespace trivalent::remesh

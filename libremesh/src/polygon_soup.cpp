@@ -1,0 +1,230 @@
+#include "trivalent/remesh/polygon_soup.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <system_error>
+#include <unordered_map>
+
+#include "mesh_readers.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---- bytes of a file ---------------------------------------------------------------------------
+
+std::string read_bytes(const fs::path& path) {
+  const auto complain = [&path](int error_number) {
+    return FileError(concat("read_mesh: ", path.string(),
+                            ": cannot be read: ", std::generic_category().message(error_number)));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw complain(EISDIR);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw complain(errno);
+  std::string bytes;
+  const auto size = fs::file_size(path, ignored);
+  if (!ignored) bytes.reserve(size);
+  std::array<char, 1 << 16> chunk{};
+  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    bytes.append(chunk.data(), got);
+  }
+  if (std::ferror(file.get()) != 0) throw complain(errno);
+  return bytes;
+}
+
+bool is_gzipped(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
+
+/// No mesh packs better than this; what does is made to fill the memory.
+constexpr std::size_t best_compression = 200;
+
+struct EndInflating {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+std::string unpack(const Source& source) {
+  z_stream stream{};
+  constexpr int any_window_and_gzip_header = 15 + 32;
+  if (inflateInit2(&stream, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, EndInflating> ending(&stream);
+  std::string unpacked;
+  std::string input(source.bytes);
+  std::array<char, 1 << 16> chunk{};
+  std::size_t at = 0;
+  for (;;) {
+    const std::size_t given = std::min<std::size_t>(input.size() - at, 1 << 30);
+    stream.next_in = reinterpret_cast<Bytef*>(input.data() + at);
+    stream.avail_in = static_cast<uInt>(given);
+    stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
+    stream.avail_out = chunk.size();
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    at += given - stream.avail_in;
+    unpacked.append(chunk.data(), chunk.size() - stream.avail_out);
+    if (unpacked.size() / best_compression > input.size()) {
+      fail(source,
+           concat("unpacks to more than ", best_compression, " times its size; this is no mesh"));
+    }
+    // Several packed parts may follow each other.
+    if (status == Z_STREAM_END && at < input.size() && inflateReset(&stream) == Z_OK) continue;
+    if (status == Z_STREAM_END) return unpacked;
+    if (status != Z_OK)
+      fail(source, concat("damaged gzip data near byte ", at, "; is it cut short?"));
+  }
+}
+
+// ---- kind of file ------------------------------------------------------------------------------
+
+enum class Kind { off, obj, ply, text_stl, binary_stl };
+
+std::string name_of(Kind kind) {
+  switch (kind) {
+    case Kind::off:
+      return "OFF";
+    case Kind::obj:
+      return "OBJ";
+    case Kind::ply:
+      return "PLY";
+    case Kind::text_stl:
+    case Kind::binary_stl:
+      return "STL";
+  }
+  return {};
+}
+
+/// Text STL begins with "solid", but so do the headers of some binary ones; a facet must follow.
+bool is_text_stl(const Source& source) {
+  constexpr std::size_t longest_keyword = 16;
+  TextScanner scanner(source, Continuation::none);
+  const std::string_view first = scanner.word_across_lines().substr(0, longest_keyword);
+  if (lower_case(std::string(first)) != "solid") return false;
+  scanner.next_line();
+  const std::string second = lower_case(std::string(scanner.word().substr(0, longest_keyword)));
+  return second == "facet" || second == "endsolid";
+}
+
+/// What the bytes say they are; none for OBJ, which has no mark.
+std::optional<Kind> kind_by_content(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (declared_stl_size(bytes) == bytes.size() && !bytes.empty()) return Kind::binary_stl;
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
+  if (is_text_stl(source)) return Kind::text_stl;
+  if (is_off_keyword(TextScanner(source, Continuation::none).word_across_lines())) return Kind::off;
+  return std::nullopt;
+}
+
+Kind kind_by_extension(const Source& source) {
+  fs::path name = source.name;
+  if (name.extension() == ".gz") name = name.stem();
+  const std::string extension = lower_case(name.extension().string());
+  if (extension == ".off") return Kind::off;
+  if (extension == ".obj") return Kind::obj;
+  if (extension == ".ply") return Kind::ply;
+  // Binary unless its content said otherwise.
+  if (extension == ".stl") return Kind::binary_stl;
+  fail(source, concat("unknown extension '", extension,
+                      "'; known are .off, .obj, .ply and .stl, each also with .gz"));
+}
+
+PolygonSoup read_kind(const Source& source, Kind kind) {
+  switch (kind) {
+    case Kind::off:
+      return read_off(source);
+    case Kind::obj:
+      return read_obj(source);
+    case Kind::ply:
+      return read_ply(source);
+    case Kind::text_stl:
+      return read_text_stl(source);
+    case Kind::binary_stl:
+      break;
+  }
+  return read_binary_stl(source);
+}
+
+}  // namespace
+
+void fail(const Source& source, std::string_view problem) {
+  throw FileError(concat("read_mesh: ", source.name, ": ", problem));
+}
+
+void check_declared(const Source& source, const Declared& declared, std::size_t bytes_left) {
+  if (declared.count > bytes_left / declared.bytes_each) {
+    fail(source,
+         concat("declares ", declared.count, ' ', declared.things, ", more than its remaining ",
+                bytes_left, " bytes can hold; is it cut short?"));
+  }
+  // Three corners each must be countable.
+  constexpr std::uint64_t most = std::numeric_limits<int>::max() / 3;
+  if (declared.count > most) {
+    fail(source, concat("declares ", declared.count, ' ', declared.things, "; at most ", most,
+                        " are read"));
+  }
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return concat(count, ' ', thing, count == 1 ? "" : "s");
+}
+
+void weld_points(PolygonSoup& soup) {
+  struct HashOfBits {
+    std::size_t operator()(const std::array<double, 3>& p) const {
+      std::uint64_t hash = 0;
+      for (const double x : p) {
+        // The multiplier of [Steele2014]'s SplitMix64, which spreads every bit over the word.
+        hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9U;
+        hash ^= hash >> 32;
+      }
+      return hash;
+    }
+  };
+  std::unordered_map<std::array<double, 3>, int, HashOfBits> index_of;
+  index_of.reserve(soup.points.size() / 5);
+  std::vector<Eigen::Vector3d> welded;
+  std::vector<int> new_index;
+  new_index.reserve(soup.points.size());
+  for (const Eigen::Vector3d& p : soup.points) {
+    // + 0.0 turns -0.0 into 0.0.
+    const std::array<double, 3> key = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+    const auto [found, is_new] = index_of.try_emplace(key, static_cast<int>(welded.size()));
+    if (is_new) welded.emplace_back(key[0], key[1], key[2]);
+    new_index.push_back(found->second);
+  }
+  if (!soup.points.empty()) {
+    soup.notes.push_back(concat("welded ", counted(soup.points.size(), "corner"), " into ",
+                                welded.size(), " vertices"));
+  }
+  for (int& v : soup.corners) v = new_index[static_cast<std::size_t>(v)];
+  soup.points = std::move(welded);
+}
+
+PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) {
+  if (is_gzipped(bytes)) return parse_polygon_soup(unpack({bytes, name}), name);
+  const Source source{bytes, name};
+  const Kind expected = kind_by_extension(source);
+  if (bytes.empty()) fail(source, "the file is empty");
+  const Kind kind = kind_by_content(source).value_or(expected);
+  PolygonSoup soup = read_kind(source, kind);
+  if (name_of(kind) != name_of(expected)) {
+    soup.notes.push_back(
+        concat("read as ", name_of(kind), ", which its content is, not as ", name_of(expected)));
+  }
+  return soup;
+}
+
+PolygonSoup read_polygon_soup(const fs::path& path) {
+  return parse_polygon_soup(read_bytes(path), path.string());
+}
+
+}  // namespace trivalent::remesh

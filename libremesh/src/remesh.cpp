@@ -1,0 +1,171 @@
+#include "trivalent/remesh/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "constrained_mesh.h"
+#include "relaxation.h"
+#include "sliding.h"
+#include "stellar.h"
+#include "trivalent/remesh/error.h"
+#include "valence.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+void check(const TriMesh& mesh, const RemeshOptions& options) {
+  if (mesh.n_faces() == 0) throw InvalidMesh("remesh: the mesh has no faces");
+  const double m = options.target_edge_length;
+  if (!(m > 0.0) || !std::isfinite(m)) {
+    throw InvalidOption(
+        concat("remesh: target edge length is ", m, "; it must be a positive number"));
+  }
+  if (options.iterations < 1 || options.iterations > 1000) {
+    throw InvalidOption(
+        concat("remesh: ", options.iterations, " iterations; 1 to 1000 are possible"));
+  }
+  if (options.rings < 1 || options.rings > 8) {
+    throw InvalidOption(concat("remesh: ", options.rings, " rings; 1 to 8 are possible"));
+  }
+  if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
+    throw InvalidOption(
+        concat("remesh: tolerance σ/m is ", options.tolerance, "; it must lie between 0 and 1"));
+  }
+  if (options.feature_angle && !(*options.feature_angle > 0.0)) {
+    throw InvalidOption(
+        concat("remesh: feature angle is ", *options.feature_angle, " rad; it must be positive"));
+  }
+}
+
+/// Area of every component, and whether it is closed.
+struct Component {
+  double area = 0.0;
+  bool closed = true;
+};
+
+std::vector<Component> components_of(const TriMesh& mesh) {
+  std::vector<Component> components;
+  std::vector<bool> seen(mesh.n_faces(), false);
+  for (const auto first : mesh.faces()) {
+    if (seen[static_cast<std::size_t>(first.idx())]) continue;
+    Component component;
+    std::vector<FaceHandle> front = {first};
+    seen[static_cast<std::size_t>(first.idx())] = true;
+    while (!front.empty()) {
+      const FaceHandle f = front.back();
+      front.pop_back();
+      component.area += mesh.calc_face_area(f);
+      if (mesh.is_boundary(f)) component.closed = false;
+      for (const auto neighbor : mesh.ff_range(f)) {
+        if (seen[static_cast<std::size_t>(neighbor.idx())]) continue;
+        seen[static_cast<std::size_t>(neighbor.idx())] = true;
+        front.push_back(neighbor);
+      }
+    }
+    components.push_back(component);
+  }
+  return components;
+}
+
+void check_that_target_fits(const TriMesh& mesh, double target) {
+  const double area_per_face = std::sqrt(3.0) / 4.0 * target * target;
+  for (const Component& component : components_of(mesh)) {
+    const double least_faces = component.closed ? 20.0 : 2.0;
+    if (component.area >= least_faces * area_per_face) continue;
+    throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
+                               component.closed ? "a closed" : "an open", " part of area ",
+                               component.area, "; it can hold at most ",
+                               target * std::sqrt(component.area / (least_faces * area_per_face))));
+  }
+}
+
+RemeshProgress measure(const TriMesh& mesh) {
+  RemeshProgress progress;
+  progress.vertices = static_cast<int>(mesh.n_vertices());
+  progress.mean_edge_length = mean_edge_length(mesh);
+  double squares = 0.0;
+  for (const auto e : mesh.edges()) {
+    squares += std::pow(mesh.calc_edge_length(e) - progress.mean_edge_length, 2);
+  }
+  progress.relative_spread =
+      std::sqrt(squares / static_cast<double>(mesh.n_edges())) / progress.mean_edge_length;
+  int interior = 0;
+  int regular = 0;
+  for (const auto v : mesh.vertices()) {
+    if (v.is_boundary()) continue;
+    ++interior;
+    if (v.valence() == 6) ++regular;
+  }
+  progress.regular_fraction = interior == 0 ? 0.0 : static_cast<double>(regular) / interior;
+  return progress;
+}
+
+/// How m_i approaches m [Pecanha2013, Algorithm 1], and what the stellar operations of iteration i
+/// change.
+///
+/// m_i = min(m, 2 · average) keeps an iteration from changing the mesh violently. On top of it m_i
+/// rises softly towards m, which the paper recommends for difficult models: edges keep falling out
+/// of the range, and the operations on them anneal irregular vertices that would be frozen in
+/// otherwise (1 to 2 % more regular vertices). Aiming below m by as much as the mean is above it
+/// keeps the mean within 2 % of m; left alone it settles up to 4 % above, since long edges are
+/// halved while short ones merely vanish.
+StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& options, int i) {
+  constexpr double first_target = 0.93;  // m_1 / m
+  constexpr double largest_correction = 0.1;
+  constexpr double overlong = 2.5;       // in σ: the next round would split such an edge again
+  constexpr double mending_part = 0.87;  // the last iterations only settle what was mended
+  const double progress = static_cast<double>(i - 1) / options.iterations;
+  const double goal = (first_target + (1.0 - first_target) * progress) * options.target_edge_length;
+  const double average = mean_edge_length(mesh);
+  const double corrected =
+      goal * std::clamp(goal / average, 1.0 - largest_correction, 1.0 + largest_correction);
+  const double target = std::min(corrected, 2.0 * average);
+  const double sigma = options.tolerance * target;
+  return {.target = target,
+          .shortest = target - sigma,
+          .longest = target + sigma,
+          .overlong = target + overlong * sigma,
+          .mends_valences = i <= mending_part * options.iterations};
+}
+
+/// One round of stellar operations and flips; more of them while the mean edge length is far from
+/// the target and comes nearer, so that a few iterations reach a target far from the input.
+void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
+  constexpr double far = 0.33;             // of the target
+  constexpr double least_progress = 0.02;  // of the target, per round
+  double distance = std::numeric_limits<double>::max();
+  double before = distance;
+  do {
+    apply_stellar_operations(constrained, limits);
+    correct_valences(constrained);
+    before = distance;
+    distance = std::abs(mean_edge_length(constrained.mesh) - limits.target);
+  } while (distance > far * limits.target && distance < before - least_progress * limits.target);
+}
+
+}  // namespace
+
+RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
+  check(mesh, options);
+  check_that_target_fits(mesh, options.target_edge_length);
+  RemeshResult result;
+  result.mesh = mesh;
+  ConstrainedMesh constrained(result.mesh, options.feature_angle);
+  for (int i = 1; i <= options.iterations; ++i) {
+    change_edges(constrained, limits_of_iteration(result.mesh, options, i));
+    slide_vertices(constrained,
+                   relaxed_positions(constrained, {options.rings, options.restriction}));
+
+    RemeshProgress progress = measure(result.mesh);
+    progress.iteration = result.iterations = i;
+    progress.iterations = options.iterations;
+    result.relative_spread = progress.relative_spread;
+    result.regular_fraction = progress.regular_fraction;
+    if (options.on_progress) options.on_progress(progress);
+  }
+  return result;
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,131 @@
+#include "self_intersections.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace trivalent::remesh {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+
+/// Candidates are tested by many threads, so many at a time.
+constexpr std::size_t batch_size = 1 << 20;
+
+struct FacePair {
+  std::size_t a = 0;
+  std::size_t b = 0;
+};
+
+class IntersectionTest {
+ public:
+  explicit IntersectionTest(const TriMesh& mesh) : corners_(triangles_of(mesh)) {
+    points_.reserve(mesh.n_vertices());
+    for (const auto v : mesh.vertices()) {
+      const Eigen::Vector3d& p = mesh.point(v);
+      points_.emplace_back(p.x(), p.y(), p.z());
+    }
+  }
+
+  [[nodiscard]] std::vector<Box> boxes() const {
+    std::vector<Box> boxes;
+    boxes.reserve(corners_.size());
+    for (std::size_t f = 0; f < corners_.size(); ++f) {
+      const Kernel::Triangle_3 face = triangle(corners_[f]);
+      if (!face.is_degenerate()) boxes.emplace_back(face.bbox(), f);
+    }
+    return boxes;
+  }
+
+  /// Whether two faces, each with an area, meet elsewhere than in what they share.
+  [[nodiscard]] bool operator()(const FacePair& pair) const {
+    Corners a = corners_[pair.a];
+    Corners b = corners_[pair.b];
+    switch (shared_to_front(a, b)) {
+      case 0:
+        return CGAL::do_intersect(triangle(a), triangle(b));
+      case 1:
+        // They meet elsewhere just if an edge across from the shared vertex meets the other face.
+        return CGAL::do_intersect(triangle(a), Kernel::Segment_3(point(b[1]), point(b[2]))) ||
+               CGAL::do_intersect(triangle(b), Kernel::Segment_3(point(a[1]), point(a[2])));
+      case 2:
+        return is_folded_flat(a, b);
+      default:
+        return true;
+    }
+  }
+
+ private:
+  using Corners = std::array<int, 3>;
+
+  [[nodiscard]] const Kernel::Point_3& point(int v) const {
+    return points_[static_cast<std::size_t>(v)];
+  }
+  [[nodiscard]] Kernel::Triangle_3 triangle(const Corners& c) const {
+    return {point(c[0]), point(c[1]), point(c[2])};
+  }
+
+  /// Moves shared vertices to the front of both, in one order; returns their number.
+  static std::size_t shared_to_front(Corners& a, Corners& b) {
+    std::size_t shared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto same = std::find(b.begin(), b.end(), a[k]);
+      if (same == b.end()) continue;
+      std::swap(a[k], a[shared]);
+      std::swap(*same, b[shared]);
+      ++shared;
+    }
+    return shared;
+  }
+
+  /// Across a common edge, faces overlap only if they lie in one plane on the same side of it.
+  [[nodiscard]] bool is_folded_flat(const Corners& a, const Corners& b) const {
+    const Kernel::Point_3& p = point(a[0]);
+    const Kernel::Point_3& q = point(a[1]);
+    const Kernel::Point_3& tip_a = point(a[2]);
+    const Kernel::Point_3& tip_b = point(b[2]);
+    return CGAL::coplanar(p, q, tip_a, tip_b) &&
+           CGAL::coplanar_orientation(p, q, tip_a, tip_b) == CGAL::POSITIVE;
+  }
+
+  std::vector<Corners> corners_;
+  std::vector<Kernel::Point_3> points_;
+};
+
+int count_meeting(const IntersectionTest& meet, const std::vector<FacePair>& candidates) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, candidates.size()), 0,
+      [&](const tbb::blocked_range<std::size_t>& range, int count) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          count += meet(candidates[i]) ? 1 : 0;
+        return count;
+      },
+      std::plus<>());
+}
+
+}  // namespace
+
+int count_self_intersections(const TriMesh& mesh) {
+  const IntersectionTest meet(mesh);
+  std::vector<Box> boxes = meet.boxes();
+  std::vector<FacePair> candidates;
+  candidates.reserve(batch_size);
+  int count = 0;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    candidates.push_back({a.info(), b.info()});
+    if (candidates.size() < batch_size) return;
+    count += count_meeting(meet, candidates);
+    candidates.clear();
+  });
+  return count + count_meeting(meet, candidates);
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,73 @@
+#include "sliding.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace trivalent::remesh {
+
+namespace {
+
+Eigen::Vector3d area_vector(const std::array<int, 3>& face,
+                            const std::vector<Eigen::Vector3d>& at) {
+  const Eigen::Vector3d& a = at[static_cast<std::size_t>(face[0])];
+  const Eigen::Vector3d& b = at[static_cast<std::size_t>(face[1])];
+  const Eigen::Vector3d& c = at[static_cast<std::size_t>(face[2])];
+  return (b - a).cross(c - a);
+}
+
+/// Vertices of faces that look the other way at `after` than at `before`.
+std::vector<VertexHandle> turned_vertices(const std::vector<std::array<int, 3>>& faces,
+                                          const std::vector<Eigen::Vector3d>& before,
+                                          const std::vector<Eigen::Vector3d>& after) {
+  std::vector<VertexHandle> turned;
+  for (const auto& face : faces) {
+    if (area_vector(face, before).dot(area_vector(face, after)) >= 0.0) continue;
+    for (const int v : face) turned.emplace_back(v);
+  }
+  std::sort(turned.begin(), turned.end());
+  turned.erase(std::unique(turned.begin(), turned.end()), turned.end());
+  return turned;
+}
+
+}  // namespace
+
+void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vector3d>& targets) {
+  TriMesh& mesh = constrained.mesh;
+  std::vector<Eigen::Vector3d> before(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) before[index(v)] = mesh.point(v);
+  std::vector<Eigen::Vector3d> after = before;
+  const auto project = [&](VertexHandle v, const Eigen::Vector3d& target) {
+    Anchor anchor = constrained.anchor(v);
+    if (anchor.kind == FeatureKind::corner) return;
+    after[index(v)] = constrained.project(target, anchor);
+    constrained.set_anchor(v, anchor);
+  };
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(mesh.n_vertices())),
+                    [&](const auto& range) {
+                      for (int i = range.begin(); i < range.end(); ++i)
+                        project(VertexHandle(i), targets[static_cast<std::size_t>(i)]);
+                    });
+
+  constexpr int half_steps = 3;
+  const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
+  for (int attempt = 0;; ++attempt) {
+    const std::vector<VertexHandle> turned = turned_vertices(faces, before, after);
+    if (turned.empty()) break;
+    // A face whose three vertices stay does not turn, so this ends.
+    for (const VertexHandle v : turned) {
+      const double part = attempt < half_steps ? 0.5 : 0.0;
+      const Eigen::Vector3d back = before[index(v)] + part * (after[index(v)] - before[index(v)]);
+      if (attempt < half_steps) {
+        project(v, back);
+      } else {
+        after[index(v)] = back;
+      }
+    }
+  }
+  for (const auto v : mesh.vertices()) mesh.point(v) = after[index(v)];
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,132 @@
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+/// Distances of points to a mesh.
+class DistanceTo {
+ public:
+  explicit DistanceTo(const TriMesh& mesh) {
+    for (const auto& [a, b, c] : triangles_of(mesh)) {
+      const auto at = [&](int v) {
+        const Eigen::Vector3d& p = mesh.point(VertexHandle(v));
+        return Kernel::Point_3(p.x(), p.y(), p.z());
+      };
+      const Kernel::Triangle_3 triangle(at(a), at(b), at(c));
+      // Its edges belong to other faces, and closest points need an area.
+      if (triangle.squared_area() > 0.0) triangles_.push_back(triangle);
+    }
+    tree_.rebuild(triangles_.begin(), triangles_.end());
+    tree_.accelerate_distance_queries();
+  }
+
+  [[nodiscard]] std::vector<double> operator()(const std::vector<Eigen::Vector3d>& points) const {
+    std::vector<double> distances(points.size());
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+      const Kernel::Point_3 p(points[i].x(), points[i].y(), points[i].z());
+      distances[i] = std::sqrt(tree_.squared_distance(p));
+    });
+    return distances;
+  }
+
+ private:
+  using Primitive =
+      CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
+
+  std::vector<Kernel::Triangle_3> triangles_;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+};
+
+/// Uniform in [0, 1), the same on every platform.
+double uniform(std::mt19937_64& generator) {
+  return static_cast<double>(generator() >> 11) * 0x1p-53;
+}
+
+/// One random point in each of `count` parts of equal area, in the order of the faces.
+std::vector<Eigen::Vector3d> sample_by_area(const TriMesh& mesh, int count) {
+  const double area = surface_area(mesh);
+  std::mt19937_64 generator(20131);
+  std::vector<Eigen::Vector3d> samples;
+  samples.reserve(static_cast<std::size_t>(count));
+  auto face = mesh.faces_begin();
+  double area_before = 0.0;
+  double face_area = mesh.calc_face_area(*face);
+  for (int i = 0; i < count; ++i) {
+    const double wanted = (i + uniform(generator)) * area / count;
+    while (area_before + face_area < wanted && std::next(face) != mesh.faces_end()) {
+      area_before += face_area;
+      face_area = mesh.calc_face_area(*++face);
+    }
+    auto corner = mesh.cfv_begin(*face);
+    const Eigen::Vector3d a = mesh.point(*corner);
+    const Eigen::Vector3d b = mesh.point(*++corner);
+    const Eigen::Vector3d c = mesh.point(*++corner);
+    // The square root makes up for the triangle's growing width.
+    const double s = std::sqrt(uniform(generator));
+    const double t = uniform(generator);
+    samples.emplace_back((1.0 - s) * a + s * (1.0 - t) * b + s * t * c);
+  }
+  return samples;
+}
+
+std::vector<Eigen::Vector3d> vertices_with_faces(const TriMesh& mesh) {
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) {
+    if (!mesh.is_isolated(v)) points.push_back(mesh.point(v));
+  }
+  return points;
+}
+
+SurfaceDistance distance_between(const TriMesh& from, const DistanceTo& distance_to, int samples) {
+  SurfaceDistance result;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (const double d : distance_to(sample_by_area(from, samples))) {
+    sum += d;
+    sum_of_squares += d * d;
+    result.max = std::max(result.max, d);
+  }
+  result.mean = sum / samples;
+  result.root_mean_square = std::sqrt(sum_of_squares / samples);
+  for (const double d : distance_to(vertices_with_faces(from)))
+    result.max = std::max(result.max, d);
+  return result;
+}
+
+}  // namespace
+
+double TwoSidedDistance::max() const { return std::max(to_original.max, from_original.max); }
+
+double TwoSidedDistance::root_mean_square() const {
+  return std::max(to_original.root_mean_square, from_original.root_mean_square);
+}
+
+TwoSidedDistance measure_distance(const TriMesh& mesh, const TriMesh& original, int samples) {
+  if (samples < 1)
+    throw InvalidOption(concat("measure_distance: samples must be >= 1, but is ", samples));
+  for (const TriMesh* surface : {&mesh, &original}) {
+    if (surface_area(*surface) > 0.0) continue;
+    throw InvalidMesh(concat("measure_distance: the ", surface == &mesh ? "mesh" : "original",
+                             " has no face with an area"));
+  }
+  return {distance_between(mesh, DistanceTo(original), samples),
+          distance_between(original, DistanceTo(mesh), samples), bounding_box(original).diagonal()};
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "program.h"
+
+namespace {
+
+using testing_support::Outcome;
+using testing_support::ProgramTest;
+
+class EnergyCommand : public ProgramTest {};
+
+TEST_F(EnergyCommand, GivesTheSameForAllFormsOfAShell) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.extxyz --digits 17");
+  succeed("dual s.off s.data --digits 17 --atom-style molecular");
+  const double mesh = succeed("energy s.off --json").json()["energy"];
+  const double xyz = succeed("energy s.extxyz --json").json()["energy"];
+  const double data = succeed("energy s.data --json").json()["energy"];
+  const double tolerance = 1e-9 * std::abs(mesh);  // sums in another order, and a periodic box
+  EXPECT_NEAR(xyz, mesh, tolerance);
+  EXPECT_NEAR(data, mesh, tolerance);
+}
+
+TEST_F(EnergyCommand, WritesEnergiesAndForces) {
+  succeed("shape sphere s.off --edge 0.3");
+  const auto result = succeed("energy s.off --forces -o out.extxyz --json").json();
+  const std::string text = content("out.extxyz");
+  EXPECT_NE(text.find("rings:I:3:energies:R:1:forces:R:3"), std::string::npos);
+  EXPECT_NE(text.find(" energy=-"), std::string::npos);
+  double sum = 0.0;
+  for (const double energy : result["energies"]) sum += energy;
+  EXPECT_NEAR(sum, result["energy"].get<double>(), 1e-9);
+  EXPECT_EQ(result["forces"].size(), result["atoms"].get<std::size_t>());
+  EXPECT_EQ(result["worst"][0]["energy"], result["highest"]);
+
+  succeed("energy out.extxyz --potential lj -o again.extxyz");
+  EXPECT_EQ(content("again.extxyz").find("forces"), std::string::npos);
+}
+
+TEST_F(EnergyCommand, WritesAnEnergyMap) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("energy s.off -o map.ply");
+  EXPECT_NE(content("map.ply").find("property double energy\n"), std::string::npos);
+}
+
+TEST_F(EnergyCommand, EvaluatesADimerUnderLennardJones) {
+  write("two.xyz", "2\n\nC 0 0 0\nC 4.0 0 0\n");
+  const auto result =
+      succeed("energy two.xyz --potential lj --lj-epsilon 1 --lj-sigma 3 --json").json();
+  const double s6 = std::pow(0.75, 6);
+  EXPECT_NEAR(result["energy"].get<double>(), 4.0 * (s6 * s6 - s6), 1e-14);
+  EXPECT_FALSE(result.contains("excess_per_atom"));
+}
+
+TEST_F(EnergyCommand, FindsGrapheneInAPeriodicBox) {
+  const double bond = 1.42;
+  const double a = std::sqrt(3.0) * bond;
+  write("g.extxyz", "2\nLattice=\"" + std::to_string(a) + " 0 0 " + std::to_string(a / 2) + " " +
+                        std::to_string(1.5 * bond) +
+                        " 0 0 0 20\" Properties=species:S:1:pos:R:3 pbc=\"T T F\"\nC 0 0 0\nC 0 " +
+                        std::to_string(bond) + " 0\n");
+  const auto result = succeed("energy g.extxyz --json").json();
+  EXPECT_NEAR(result["excess_per_atom"].get<double>(), 0.0, 1e-4);
+  const auto cluster = succeed("energy g.extxyz --periodic none --json").json();
+  EXPECT_GT(cluster["excess_per_atom"].get<double>(), 1.0);
+}
+
+TEST_F(EnergyCommand, RefusesWhatMakesNoSense) {
+  write("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
+  expect_failure(2, "--potential", "energy two.xyz --potential tersoff");
+  expect_failure(2, "--periodic", "energy two.xyz --periodic abc");
+  expect_failure(2, "extension", "energy two.xyz -o out.pdb");
+  expect_failure(2, "--worst", "energy two.xyz --worst -1");
+  expect_failure(2, "sigma", "energy two.xyz --potential lj --lj-sigma 0");
+  expect_failure(1, "missing.xyz", "energy missing.xyz");
+  write("bad.xyz", "2\n\nC 0 0 0\nSi 1.4 0 0\n");
+  expect_failure(1, "line 4", "energy bad.xyz");
+  write("same.xyz", "2\n\nC 0 0 0\nC 0 0 0\n");
+  expect_failure(1, "on top of each other", "energy same.xyz");
+  write("two.pdb", "");
+  expect_failure(1, "two.pdb", "energy two.pdb");
+}
+
+}  // namespace

@@ -1,0 +1,59 @@
+#include "program.h"
+
+namespace {
+
+using testing_support::ProgramTest;
+
+class RemeshCommand : public ProgramTest {
+ protected:
+  void SetUp() override { succeed("shape torus torus.off --edge 0.2"); }
+};
+
+TEST_F(RemeshCommand, BringsEdgesToOneLength) {
+  const auto result = succeed("remesh torus.off out.off --edge 0.15 --json").json();
+  EXPECT_NEAR(result["quality"]["edge_length"]["mean"].get<double>(), 0.15, 0.02 * 0.15);
+  EXPECT_EQ(result["quality"]["euler_characteristic"], 0);
+  EXPECT_EQ(result["iterations"], 20);
+  EXPECT_TRUE(has("out.off"));
+}
+
+TEST_F(RemeshCommand, KnowsTheParametersOfThePaper) {
+  const auto result =
+      succeed(
+          "remesh torus.off out.obj --edge 0.2 --method paper --iterations 3 --rings 1 --sigma 0.3 "
+          "--restriction least-squares --feature-angle 60 --json")
+          .json();
+  EXPECT_EQ(result["iterations"], 3);
+}
+
+TEST_F(RemeshCommand, GivesTheSameBytesForAnyNumberOfThreads) {
+  succeed("remesh torus.off one.off --edge 0.15 --iterations 5 --threads 1");
+  succeed("remesh torus.off three.off --edge 0.15 --iterations 5 --threads 3");
+  EXPECT_EQ(content("one.off"), content("three.off"));
+}
+
+TEST_F(RemeshCommand, TellsItsProgressUnlessQuiet) {
+  const auto loud = succeed("remesh torus.off out.off --edge 0.2 --iterations 2");
+  EXPECT_NE(loud.err.find("remeshing 2/2"), std::string::npos);
+  const auto quiet = succeed("remesh torus.off out.off --edge 0.2 --iterations 2 --quiet");
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, loud.out);
+}
+
+TEST_F(RemeshCommand, RefusesParametersOutOfRange) {
+  expect_failure(2, "--edge", "remesh torus.off out.off");
+  for (const std::string edge : {"0", "-1", "nan", "inf"}) {
+    expect_failure(2, "target edge length", "remesh torus.off out.off --edge " + edge);
+  }
+  expect_failure(2, "target edge length", "remesh torus.off out.off --edge 100");
+  expect_failure(2, "iterations", "remesh torus.off out.off --edge 0.2 --iterations 0");
+  expect_failure(2, "rings", "remesh torus.off out.off --edge 0.2 --rings 9");
+  expect_failure(2, "tolerance", "remesh torus.off out.off --edge 0.2 --sigma 1");
+  expect_failure(2, "--restriction", "remesh torus.off out.off --edge 0.2 --restriction soft");
+  expect_failure(2, "--method", "remesh torus.off out.off --edge 0.2 --method cvt");
+  expect_failure(2, "extension", "remesh torus.off out.xyz --edge 0.2");
+  expect_failure(1, "missing.off", "remesh missing.off out.off --edge 0.2");
+  EXPECT_FALSE(has("out.off"));
+}
+
+}  // namespace

@@ -1,0 +1,46 @@
+#include "program.h"
+
+namespace {
+
+using testing_support::ProgramTest;
+
+class ShapeCommand : public ProgramTest {};
+
+TEST_F(ShapeCommand, WritesEveryShapeInEveryFormat) {
+  for (const std::string shape : {"sphere", "ellipsoid", "torus", "double-torus", "capsule", "tube",
+                                  "open-tube", "wavy-sheet"}) {
+    for (const std::string extension : {".off", ".obj", ".ply", ".stl"}) {
+      const std::string file = shape + extension;
+      const auto made = succeed("shape " + shape + " " + file + " --edge 0.2 --json").json();
+      const auto read = succeed("inspect " + file + " --json").json();
+      EXPECT_EQ(made["faces"], read["quality"]["faces"]) << file;
+    }
+  }
+}
+
+TEST_F(ShapeCommand, HasParameters) {
+  const auto large = succeed("shape sphere:radius=10 a.off --edge 2 --json").json();
+  EXPECT_NEAR(large["area"].get<double>(), 1256.6, 0.03 * 1256.6);
+}
+
+TEST_F(ShapeCommand, RefusesWhatItCannotMake) {
+  expect_failure(2, "cube", "shape cube a.off");
+  expect_failure(2, "R", "shape sphere:R=3 a.off");
+  expect_failure(2, "name=number", "shape sphere:radius a.off");
+  expect_failure(2, "name=number", "shape sphere:radius=x a.off");
+  expect_failure(2, "radius", "shape sphere:radius=-1 a.off");
+  expect_failure(2, "edge", "shape sphere a.off --edge 0");
+  expect_failure(2, "edge", "shape sphere a.off --edge nan");
+  expect_failure(2, "extension", "shape sphere a.xyz");
+  EXPECT_FALSE(has("a.off"));
+}
+
+TEST_F(ShapeCommand, FailsWhereItCannotWrite) {
+  expect_failure(1, "no folder", "shape sphere nowhere/a.off");
+  expect_failure(1, "no folder", "shape sphere /dev/null/a.off");
+  expect_failure(1, "no folder", "shape sphere /dev/null/a.off");
+  std::filesystem::create_symlink("/dev/full", folder() / "full.off");
+  expect_failure(1, "full.off", "shape sphere full.off");
+}
+
+}  // namespace

@@ -1,0 +1,104 @@
+#include "trivalent/dual/build_dual.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "small_meshes.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/dual/network_checks.h"
+
+namespace trivalent::dual {
+namespace {
+
+using testing_support::flat_sheet;
+using testing_support::icosahedron;
+using testing_support::torus;
+
+TEST(BuildDual, TurnsTheIcosahedronIntoC20) {
+  const Network network = build_dual(icosahedron());
+  EXPECT_EQ(network.positions.size(), 20u);
+  EXPECT_EQ(network.bonds.size(), 30u);
+  ASSERT_EQ(network.rings.size(), 12u);
+  for (const auto& ring : network.rings) EXPECT_EQ(ring.size(), 5u);
+}
+
+TEST(BuildDual, PutsAtomsAtTheCentroidsInFaceOrder) {
+  const remesh::TriMesh mesh = icosahedron();
+  const Network network = build_dual(mesh);
+  const auto triangles = remesh::triangles_of(mesh);
+  for (std::size_t face = 0; face < triangles.size(); ++face) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int corner : triangles[face]) sum += mesh.point(remesh::VertexHandle(corner));
+    EXPECT_LT((network.positions[face] - sum / 3.0).norm(), 1e-15);
+  }
+}
+
+TEST(BuildDual, ListsEveryBondOnceWithTheSmallerAtomFirst) {
+  const Network network = build_dual(torus(12, 6));
+  const std::set<std::array<int, 2>> distinct(network.bonds.begin(), network.bonds.end());
+  EXPECT_EQ(distinct.size(), network.bonds.size());
+  for (const auto& [first, second] : network.bonds) EXPECT_LT(first, second);
+}
+
+TEST(BuildDual, OrdersRingsAlongBonds) {
+  const Network network = build_dual(torus(12, 6));
+  const std::set<std::array<int, 2>> bonds(network.bonds.begin(), network.bonds.end());
+  for (const auto& ring : network.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const int atom = ring[i];
+      const int next = ring[(i + 1) % ring.size()];
+      EXPECT_TRUE(bonds.contains({std::min(atom, next), std::max(atom, next)}));
+    }
+  }
+}
+
+TEST(BuildDual, TurnsRingsCounterClockwiseSeenFromOutside) {
+  const Network network = build_dual(icosahedron());
+  for (const auto& ring : network.rings) {
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      area += network.positions[ring[i]].cross(network.positions[ring[(i + 1) % ring.size()]]);
+      center += network.positions[ring[i]];
+    }
+    EXPECT_GT(area.dot(center), 0.0);
+  }
+}
+
+TEST(BuildDual, LeavesAtomsWithOneOrTwoBondsAtAnOpenEdge) {
+  const NetworkReport report = check_network(build_dual(flat_sheet(4, 3, 1.0)));
+  // Each of the two corner rhombi's outer triangles has two boundary edges; 14 boundary edges in
+  // all.
+  const std::map<int, int> expected = {{1, 2}, {2, 10}, {3, 12}};
+  EXPECT_EQ(report.coordinations, expected);
+  EXPECT_EQ(report.rings, 6);
+  EXPECT_FALSE(report.is_trivalent());
+}
+
+TEST(BuildDual, GivesGrapheneItsBondLength) {
+  const Network network = build_dual(flat_sheet(6, 6, edge_length_for_bond(default_bond_length)));
+  const NetworkReport report = check_network(network);
+  EXPECT_NEAR(report.bond_min, default_bond_length, 1e-14);
+  EXPECT_NEAR(report.bond_max, default_bond_length, 1e-14);
+  EXPECT_NEAR(mean_bond_length(network), default_bond_length, 1e-14);
+}
+
+TEST(BuildDual, ThrowsOnAMeshWithoutFaces) {
+  EXPECT_THROW(static_cast<void>(build_dual(remesh::TriMesh())), InvalidNetwork);
+}
+
+TEST(BuildDual, ThrowsOnAnInteriorVertexOfValenceTwo) {
+  // Two triangles back to back: a closed surface without room for rings.
+  const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const testing_support::Triangles triangles = {{0, 1, 2}, {0, 2, 1}};
+  const remesh::TriMesh mesh = remesh::make_mesh(points, triangles);
+  EXPECT_THROW(static_cast<void>(build_dual(mesh)), InvalidNetwork);
+}
+
+TEST(MeanBondLength, IsZeroWithoutBonds) {
+  EXPECT_EQ(mean_bond_length(Network{.positions = {Eigen::Vector3d::Zero()}}), 0.0);
+}
+
+}  // namespace
+}  // namespace trivalent::dual

@@ -1,0 +1,76 @@
+#include "trivalent/dual/build_shell.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "small_meshes.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/dual/network_checks.h"
+
+namespace trivalent::dual {
+namespace {
+
+using testing_support::torus;
+
+/// Quick, and coarse enough to stay so.
+remesh::RemeshOptions few_iterations() {
+  remesh::RemeshOptions options;
+  options.iterations = 10;
+  return options;
+}
+
+TEST(BuildShell, MeetsANumberOfAtomsAndTheBond) {
+  const Shell shell = build_shell(
+      torus(48, 16), {.size = AtomCount{1000}, .bond = 1.45, .remesh = few_iterations()});
+  const NetworkReport report = check_network(shell.network);
+  EXPECT_NEAR(report.atoms, 1000, 20);
+  EXPECT_NEAR(report.bond_mean, 1.45, 1e-13);
+  EXPECT_TRUE(report.is_trivalent());
+  EXPECT_EQ(report.ring_excess, 0);
+  EXPECT_EQ(static_cast<std::size_t>(report.atoms), shell.surface.mesh.n_faces());
+}
+
+TEST(BuildShell, MeetsAScaleWithEdgesNearTheTarget) {
+  const Shell shell =
+      build_shell(torus(48, 16), {.size = Scale{6.0}, .bond = 1.42, .remesh = few_iterations()});
+  EXPECT_EQ(shell.scale, 6.0);
+  EXPECT_NEAR(remesh::mean_edge_length(shell.surface.mesh), edge_length_for_bond(1.42),
+              0.03 * edge_length_for_bond(1.42));
+}
+
+TEST(BuildShell, MeetsTheLongestSide) {
+  const remesh::TriMesh mesh = torus(48, 16);
+  const Shell shell =
+      build_shell(mesh, {.size = LongestSide{45.0}, .bond = 1.42, .remesh = few_iterations()});
+  EXPECT_NEAR(shell.scale * remesh::bounding_box(mesh).longest_side(), 45.0, 1e-12);
+}
+
+TEST(BuildShell, ThrowsOnSizesOutOfRange) {
+  const remesh::TriMesh mesh = torus(12, 6);
+  for (const ShellSize& size : {ShellSize(AtomCount{19}), ShellSize(LongestSide{0.0}),
+                                ShellSize(LongestSide{std::nan("")}), ShellSize(Scale{-1.0})}) {
+    EXPECT_THROW(static_cast<void>(build_shell(mesh, {.size = size, .remesh = {}})), InvalidOption);
+  }
+  EXPECT_THROW(static_cast<void>(build_shell(mesh, {.bond = 0.0, .remesh = {}})), InvalidOption);
+}
+
+TEST(BuildShell, ThrowsOnAMeshWithoutFaces) {
+  EXPECT_THROW(static_cast<void>(build_shell(remesh::TriMesh(), {.remesh = {}})), InvalidNetwork);
+}
+
+TEST(BuildShell, PassesOnWhatRemeshRefuses) {
+  ShellOptions options;
+  options.remesh.rings = 0;
+  EXPECT_THROW(static_cast<void>(build_shell(torus(12, 6), options)), remesh::InvalidOption);
+}
+
+TEST(EstimateAtomCount, DividesTheAreaByThatOfAFace) {
+  const remesh::TriMesh sheet = testing_support::flat_sheet(10, 10, 1.0);
+  const double scale = edge_length_for_bond(1.42);
+  EXPECT_NEAR(estimate_atom_count(sheet, {.size = Scale{scale}, .remesh = {}}), 200.0, 1e-9);
+  EXPECT_EQ(estimate_atom_count(sheet, {.size = AtomCount{77}, .remesh = {}}), 77.0);
+}
+
+}  // namespace
+}  // namespace trivalent::dual

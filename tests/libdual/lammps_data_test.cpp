@@ -1,0 +1,214 @@
+#include "trivalent/dual/lammps_data.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <sstream>
+
+#include "small_meshes.h"
+#include "temporary_folder.h"
+#include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/carbon_atoms.h"
+
+namespace trivalent::dual {
+namespace {
+
+using potentials::Species;
+using testing_support::message_of;
+using testing_support::TemporaryFolder;
+
+LammpsData c20() {
+  const Network network = build_dual(testing_support::icosahedron());
+  return {.atoms = carbon_atoms(network), .bonds = network.bonds};
+}
+
+std::string text_of(const LammpsData& data, const LammpsDataOptions& options = {}) {
+  std::ostringstream out;
+  write_lammps_data(out, data, options);
+  return out.str();
+}
+
+LammpsData read_back(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_lammps_data(folder.file("shell.data", text));
+}
+
+std::string complaint_about(const std::string& text) {
+  return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
+}
+
+TEST(WriteLammpsData, FollowsTheFormat) {
+  LammpsData data;
+  data.atoms.positions = {{1, 2, 3}};
+  data.atoms.species = {Species::carbon};
+  EXPECT_EQ(text_of(data, {.title = "one atom"}),
+            "LAMMPS data file: one atom\n\n1 atoms\n1 atom types\n\n"
+            "-9 11 xlo xhi\n-8 12 ylo yhi\n-7 13 zlo zhi\n\n"
+            "Masses\n\n1 12.011 # C\n\nAtoms # atomic\n\n"
+            "1 1 1.0000000000 2.0000000000 3.0000000000\n");
+}
+
+TEST(WriteLammpsData, ReadsBackToTheSameBits) {
+  for (const AtomStyle style : {AtomStyle::atomic, AtomStyle::molecular}) {
+    LammpsData data = c20();
+    data.atoms.species[3] = Species::hydrogen;
+    const LammpsData copy =
+        read_back(text_of(data, {.style = style, .digits = Digits::seventeen_significant}));
+    EXPECT_EQ(copy.atoms.positions, data.atoms.positions);
+    EXPECT_EQ(copy.atoms.species, data.atoms.species);
+    EXPECT_EQ(copy.bonds.size(), style == AtomStyle::molecular ? data.bonds.size() : 0u);
+    EXPECT_TRUE(copy.notes.empty());
+  }
+}
+
+TEST(WriteLammpsData, KeepsATiltedBox) {
+  LammpsData data = c20();
+  data.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
+  data.atoms.box.periodic = {true, true, true};
+  const LammpsData copy = read_back(text_of(data));
+  EXPECT_EQ(copy.atoms.box.cell, data.atoms.box.cell);
+  EXPECT_EQ(copy.atoms.box.origin, data.atoms.box.origin);
+}
+
+TEST(WriteLammpsData, ThrowsOnABoxThatLammpsCannotHave) {
+  LammpsData data = c20();
+  data.atoms.box.cell(1, 0) = 1.0;
+  EXPECT_THROW(text_of(data), InvalidOption);
+  data = c20();
+  data.atoms.box.cell(0, 1) = 0.6 * data.atoms.box.cell(0, 0);
+  EXPECT_THROW(text_of(data), InvalidOption);
+  data = c20();
+  data.atoms.box.cell(2, 2) = -1.0;
+  EXPECT_THROW(text_of(data), InvalidOption);
+}
+
+TEST(WriteLammpsData, ThrowsOnATitleOfTwoLines) {
+  EXPECT_THROW(text_of(c20(), {.title = "a\nb"}), InvalidOption);
+  EXPECT_THROW(text_of(c20(), {.title = std::string(300, 'a')}), InvalidOption);
+}
+
+TEST(WriteLammpsData, ThrowsOnABondToAMissingAtom) {
+  LammpsData data = c20();
+  data.bonds.push_back({0, 20});
+  EXPECT_THROW(text_of(data), InvalidNetwork);
+}
+
+TEST(WriteLammpsData, ThrowsOnMissingSpeciesAndInfiniteCoordinates) {
+  LammpsData data = c20();
+  data.atoms.species.pop_back();
+  EXPECT_THROW(text_of(data), InvalidNetwork);
+  data = c20();
+  data.atoms.positions[0].x() = HUGE_VAL;
+  EXPECT_THROW(text_of(data), InvalidNetwork);
+}
+
+TEST(WriteLammpsData, ThrowsWhereNoFileCanBe) {
+  EXPECT_THROW(write_lammps_data("/nonexistent/folder/a.data", c20()), FileError);
+}
+
+const std::string header =
+    "title\n\n2 atoms\n1 atom types\n0 5 xlo xhi\n0 5 ylo yhi\n0 5 zlo zhi\n";
+const std::string masses = "\nMasses\n\n1 12.0107\n";
+
+TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
+  const std::vector<std::string> sections = {
+      "\nAtoms # atomic\n\n2 1 1 2 3\n1 1 0 0 0\n",
+      "\nAtoms\n\n2 1 1 2 3 0 0 -1 # here\n1 1 0 0 0 0 0 0\n",
+      "\nAtoms # charge\n\n2 1 0.5 1 2 3\n1 1 0 0 0 0\n",
+      "\nAtoms # molecular\n\n2 7 1 1 2 3\n1 7 1 0 0 0\n",
+      "\nAtoms  # full\n\n2 7 1 0.5 1 2 3\n1 7 1 0 0 0 0\n",
+      "\nAtoms\n\n2 7 1 0.5 1 2 3 0 0 0\n1 7 1 0 0 0 0 0 0 0\n\nVelocities\n\n1 0 0 0\n2 0 0 0\n"};
+  for (const std::string& section : sections) {
+    const LammpsData data = read_back(header + masses + section);
+    ASSERT_EQ(data.atoms.size(), 2u) << section;
+    EXPECT_EQ(data.atoms.positions[1], Eigen::Vector3d(1, 2, 3)) << section;
+    EXPECT_EQ(data.atoms.species[0], Species::carbon);
+    EXPECT_TRUE(data.atoms.box.is_periodic());
+    EXPECT_EQ(data.atoms.box.cell.diagonal(), Eigen::Vector3d(5, 5, 5));
+  }
+}
+
+TEST(ReadLammpsData, RenumbersIdsWithGaps) {
+  const LammpsData data =
+      read_back("title\n2 atoms\n1 atom types\n1 bonds\n" + masses +
+                "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
+  ASSERT_EQ(data.bonds.size(), 1u);
+  EXPECT_EQ(data.bonds[0], (std::array<int, 2>{1, 0}));
+  EXPECT_EQ(data.notes.size(), 1u);
+}
+
+TEST(ReadLammpsData, ReadsGzip) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "shell.data.gz";
+  const std::string text = text_of(c20());
+  gzFile file = gzopen(path.c_str(), "wb");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  EXPECT_EQ(read_lammps_data(path).atoms.size(), 20u);
+
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  EXPECT_THROW(static_cast<void>(read_lammps_data(path)), FileError);
+}
+
+TEST(ReadLammpsData, NamesTheLineOfEveryFault) {
+  const std::string atoms = "\nAtoms # atomic\n\n1 1 0 0 0\n";
+  const std::vector<std::array<std::string, 2>> cases = {
+      {"", "line 0"},
+      {"title\n", "line 1"},
+      {"title\nx atoms\n", "line 2"},
+      {"title\n2000000000 atoms\n", "cut short"},
+      {"title\n1 atoms\n5 0 xlo xhi\n", "line 3"},
+      {"title\n1 atoms\n0 nan xlo xhi\n", "line 3"},
+      {header + masses + "\nVelocities\n\n1 0 0 0\n2 0 0 0\n", "no section Atoms"},
+      {header + masses + atoms, "after 1 of 2 rows"},
+      {header + masses + atoms + "1 1 1 1 1\n", "line 16: atom 1 appears a second time"},
+      {header + masses + atoms + "2 1 1 1 1\n3 1 1 1 1\n", "line 17"},
+      {header + masses + atoms + "2 1 1 1 nan\n", "line 16"},
+      {header + masses + atoms + "2 1 1 1\n", "line 16"},
+      {header + masses + atoms + "0 1 1 1 1\n", "line 16"},
+      {header + masses + atoms + "2 2 1 1 1\n", "line 16: atom 2 is of type 2"},
+      {header + masses + "\nAtoms # sphere\n\n", "atom_style 'sphere'"},
+      {header + "\nMasses\n\n1 15.999\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
+      {header + "\nMasses\n\n2 12.011\n" + atoms, "line 11"},
+      {header + atoms + "2 1 1 1 1\n", "no mass of C or H"},
+      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\n", "no section Bonds"},
+      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\nBonds\n\n1 1 1 3\n",
+       "names atom 3"},
+      {header + masses + atoms + "2 1 1 1 1\n" + atoms, "second section Atoms"}};
+  for (const auto& [text, part] : cases) {
+    EXPECT_NE(complaint_about(text).find(part), std::string::npos)
+        << text << "\n-> " << complaint_about(text);
+  }
+}
+
+TEST(ReadLammpsData, ThrowsOnAMissingFile) {
+  EXPECT_THROW(static_cast<void>(read_lammps_data("/nonexistent.data")), FileError);
+}
+
+std::string check_deck(const LammpsCheckOptions& options) {
+  std::ostringstream out;
+  write_lammps_check(out, options);
+  return out.str();
+}
+
+TEST(WriteLammpsCheck, KeepsForcesBetweenBondedAtoms) {
+  const std::string deck = check_deck({.data_file = "a.data", .style = AtomStyle::molecular});
+  EXPECT_NE(deck.find("special_bonds lj/coul 1.0 1.0 1.0\nbond_style   zero\n"), std::string::npos);
+  EXPECT_EQ(check_deck({.data_file = "a.data"}).find("bond"), std::string::npos);
+}
+
+TEST(WriteLammpsCheck, ThrowsOnFileNamesThatLammpsCannotRead) {
+  for (const std::string name : {"", "a\"b", "a$b", "a\nb", "a b"}) {
+    EXPECT_THROW(check_deck({.data_file = name}), InvalidOption) << name;
+    EXPECT_THROW(check_deck({.data_file = "a.data", .potential_file = name}), InvalidOption)
+        << name;
+  }
+}
+
+TEST(WriteLammpsCheck, ThrowsWhereNoFileCanBe) {
+  EXPECT_THROW(write_lammps_check("/nonexistent/folder/in.check", {.data_file = "a.data"}),
+               FileError);
+}
+
+}  // namespace
+}  // namespace trivalent::dual

@@ -1,0 +1,209 @@
+#include "trivalent/dual/xyz.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+#include "small_meshes.h"
+#include "temporary_folder.h"
+#include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/carbon_atoms.h"
+
+namespace trivalent::dual {
+namespace {
+
+using potentials::Species;
+using testing_support::message_of;
+using testing_support::TemporaryFolder;
+
+XyzFrame two_atoms() {
+  XyzFrame frame;
+  frame.atoms.positions = {{0.0, 0.1, -1.0 / 3.0}, {1.42, 0.0, 1e-7}};
+  frame.atoms.species = {Species::carbon, Species::hydrogen};
+  frame.columns = {
+      {.name = "energies", .values = std::vector<double>{-7.25, 1.0 / 7.0}},
+      {.name = "coordination", .values = std::vector<int>{3, -2}},
+      {.name = "forces", .values = std::vector<Eigen::Vector3d>{{1, 2, 3}, {-1, 0, 0.5}}},
+      {.name = "rings", .values = std::vector<std::array<int, 3>>{{7, 6, 5}, {6, 0, 0}}}};
+  frame.header = {{.key = "energy", .value = -7.1},
+                  {.key = "title", .value = "two \"atoms\" \\ x"}};
+  return frame;
+}
+
+std::string text_of(const XyzFrame& frame, Digits digits = Digits::ten_decimals) {
+  std::ostringstream out;
+  write_xyz(out, frame, digits);
+  return out.str();
+}
+
+XyzFrame read_back(const std::string& text) {
+  const TemporaryFolder folder;
+  return read_xyz(folder.file("atoms.extxyz", text));
+}
+
+std::string complaint_about(const std::string& text) {
+  return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
+}
+
+TEST(WriteXyz, WritesLatticePropertiesAndPbcTogether) {
+  const std::string text = text_of(two_atoms());
+  const std::string header = text.substr(0, text.find('\n', 2));
+  EXPECT_NE(header.find("Lattice=\""), std::string::npos);
+  EXPECT_NE(header.find(" Properties=species:S:1:pos:R:3:energies:R:1:coordination:I:1:forces:R:3:"
+                        "rings:I:3"),
+            std::string::npos);
+  EXPECT_NE(header.find(" pbc=\"F F F\""), std::string::npos);
+  EXPECT_NE(header.find(" energy=-7.0999999999999996"), std::string::npos);
+}
+
+TEST(WriteXyz, UsesTenDecimals) {
+  const std::string text = text_of(two_atoms());
+  EXPECT_NE(text.find("\nC 0.0000000000 0.1000000000 -0.3333333333 -7.2500000000 3 1.0000000000"),
+            std::string::npos);
+}
+
+TEST(WriteXyz, KeepsEveryBitWithSeventeenDigits) {
+  const XyzFrame frame = two_atoms();
+  const XyzFrame copy = read_back(text_of(frame, Digits::seventeen_significant));
+  EXPECT_EQ(copy.atoms.positions, frame.atoms.positions);
+  EXPECT_EQ(copy.atoms.species, frame.atoms.species);
+  ASSERT_EQ(copy.columns.size(), frame.columns.size());
+  for (std::size_t i = 0; i < frame.columns.size(); ++i) {
+    EXPECT_EQ(copy.columns[i].name, frame.columns[i].name);
+    EXPECT_TRUE(copy.columns[i].values == frame.columns[i].values) << frame.columns[i].name;
+  }
+  ASSERT_EQ(copy.header.size(), 2u);
+  EXPECT_EQ(std::get<double>(copy.header[0].value), -7.1);
+  EXPECT_EQ(std::get<std::string>(copy.header[1].value), "two \"atoms\" \\ x");
+  EXPECT_TRUE(copy.notes.empty());
+}
+
+TEST(WriteXyz, PadsTheBoxOfACluster) {
+  const XyzFrame copy = read_back(text_of(two_atoms()));
+  EXPECT_FALSE(copy.atoms.box.is_periodic());
+  const Eigen::Vector3d upper = copy.atoms.box.origin + copy.atoms.box.cell.diagonal();
+  for (const Eigen::Vector3d& position : copy.atoms.positions) {
+    EXPECT_GE((position - copy.atoms.box.origin).minCoeff(), default_padding - 1e-9);
+    EXPECT_GE((upper - position).minCoeff(), default_padding - 1e-9);
+  }
+}
+
+TEST(WriteXyz, KeepsAPeriodicBox) {
+  XyzFrame frame = two_atoms();
+  frame.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
+  frame.atoms.box.origin = {-1, -2, -3};
+  frame.atoms.box.periodic = {true, false, true};
+  const XyzFrame copy = read_back(text_of(frame));
+  EXPECT_EQ(copy.atoms.box.cell, frame.atoms.box.cell);
+  EXPECT_EQ(copy.atoms.box.origin, frame.atoms.box.origin);
+  EXPECT_EQ(copy.atoms.box.periodic, frame.atoms.box.periodic);
+}
+
+TEST(WriteXyz, ThrowsOnACoordinateThatIsNotFinite) {
+  XyzFrame frame = two_atoms();
+  frame.atoms.positions[1].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(text_of(frame), InvalidNetwork);
+}
+
+TEST(WriteXyz, ThrowsOnAColumnOfTheWrongLength) {
+  XyzFrame frame = two_atoms();
+  frame.columns[0].values = std::vector<double>{1.0};
+  EXPECT_THROW(text_of(frame), InvalidNetwork);
+}
+
+TEST(WriteXyz, ThrowsOnMissingSpecies) {
+  XyzFrame frame = two_atoms();
+  frame.atoms.species.pop_back();
+  EXPECT_THROW(text_of(frame), InvalidNetwork);
+}
+
+TEST(WriteXyz, ThrowsOnNamesThatAreTakenOrHaveBlanks) {
+  for (const std::string name : {"pos", "energies", "two words", "", "a:b", "a=b"}) {
+    XyzFrame frame = two_atoms();
+    frame.columns.back().name = name;
+    EXPECT_THROW(text_of(frame), InvalidOption) << name;
+  }
+  XyzFrame frame = two_atoms();
+  frame.header.back().key = "Lattice";
+  EXPECT_THROW(text_of(frame), InvalidOption);
+}
+
+TEST(WriteXyz, ThrowsWhereNoFileCanBe) {
+  EXPECT_THROW(write_xyz("/nonexistent/folder/a.extxyz", two_atoms()), FileError);
+}
+
+TEST(NetworkColumns, DescribeAShell) {
+  const Network network = build_dual(testing_support::icosahedron());
+  XyzFrame frame = {.atoms = carbon_atoms(network), .columns = network_columns(network)};
+  const std::string text = text_of(frame);
+  EXPECT_NE(text.find("coordination:I:1:rings:I:3"), std::string::npos);
+  EXPECT_NE(text.find(" 3 5 5 5\n"), std::string::npos);
+}
+
+TEST(ReadXyz, ReadsPlainXyzWithFurtherColumns) {
+  const XyzFrame frame = read_back("2\nany text, \"even this\nC 0 0 0 0.5\nH 1e0 +2 3. x y\n\n");
+  ASSERT_EQ(frame.atoms.size(), 2u);
+  EXPECT_EQ(frame.atoms.positions[1], Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(frame.atoms.box.is_periodic());
+  EXPECT_TRUE(frame.columns.empty());
+}
+
+TEST(ReadXyz, TakesALatticeWithoutPbcAsPeriodic) {
+  const XyzFrame frame = read_back("1\nLattice=\"2 0 0 0 3 0 0 0 4\"\r\nC 0 0 0\r\n");
+  EXPECT_EQ(frame.atoms.box.periodic, (std::array<bool, 3>{true, true, true}));
+  EXPECT_EQ(frame.atoms.box.cell.diagonal(), Eigen::Vector3d(2, 3, 4));
+}
+
+TEST(ReadXyz, NotesWhatItLeavesOut) {
+  const XyzFrame frame = read_back(
+      "1\nProperties=id:I:1:species:S:1:pos:R:3:label:S:1:stress:R:9 flag key={1 2}\n"
+      "7 C 0 0 0 abc 1 2 3 4 5 6 7 8 9\n1\n\nC 0 0 0\n");
+  EXPECT_EQ(frame.notes.size(), 3u);
+  ASSERT_EQ(frame.columns.size(), 1u);
+  EXPECT_EQ(std::get<std::vector<int>>(frame.columns[0].values), std::vector<int>{7});
+  ASSERT_EQ(frame.header.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(frame.header[1].value), "1 2");
+}
+
+TEST(ReadXyz, NamesTheLineOfEveryFault) {
+  const std::string extended = "Properties=species:S:1:pos:R:3 ";
+  const std::vector<std::array<std::string, 2>> cases = {
+      {"", "line 0"},
+      {"x\n\n", "line 1"},
+      {"-1\n\n", "line 1"},
+      {"1 2\n\nC 0 0 0\n", "line 1"},
+      {"1\n", "line 1"},
+      {"2\n\nC 0 0 0.000000\nC 0 0\n", "line 4"},
+      {"2\n\nC 0 0 0 filler filler\n", "line 3"},
+      {"1\n\nC 0 0 nan\n", "line 3"},
+      {"1\n\nC 0 0 inf\n", "line 3"},
+      {"1\n\nC 0 0 1.0x\n", "line 3"},
+      {"1\n\nSi 0 0 0\n", "line 3"},
+      {"1\n" + extended + "\nC 0 0 0 0\n", "line 3"},
+      {"1\n" + extended + "pbc=\"T T T\"\nC 0 0 0\n", "line 2"},
+      {"1\n" + extended + "pbc=\"T T\"\nC 0 0 0\n", "line 2"},
+      {"1\n" + extended + "Lattice=\"1 2 3\"\nC 0 0 0\n", "line 2"},
+      {"1\n" + extended + "Lattice=\"1 2 3\nC 0 0 0\n", "line 2"},
+      {"1\nProperties=species:S\nC 0 0 0\n", "line 2"},
+      {"1\nProperties=species:S:1\nC\n", "line 2"},
+      {"1\nProperties=pos:R:3\n0 0 0\n", "line 2"},
+      {"1\nProperties=species:S:1:pos:R:3:x:R:2000000000\nC 0 0 0\n", "line 2"},
+      {"1\nProperties=species:S:1:pos:R:3:n:I:1\nC 0 0 0 99999999999\n", "line 3"}};
+  for (const auto& [text, line] : cases) {
+    EXPECT_NE(complaint_about(text).find(line), std::string::npos)
+        << text << "\n-> " << complaint_about(text);
+  }
+}
+
+TEST(ReadXyz, RefusesACountThatTheFileCannotHold) {
+  EXPECT_NE(complaint_about("2000000000\n\nC 0 0 0\n").find("cut short"), std::string::npos);
+}
+
+TEST(ReadXyz, ThrowsOnAMissingFileAndOnAFolder) {
+  EXPECT_THROW(static_cast<void>(read_xyz("/nonexistent.extxyz")), FileError);
+  EXPECT_THROW(static_cast<void>(read_xyz("/tmp")), FileError);
+}
+
+}  // namespace
+}  // namespace trivalent::dual

@@ -1,0 +1,71 @@
+#include "feature_curves.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "mesh_fixtures.h"
+
+namespace trivalent::remesh {
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2.0;
+
+/// The unit cube, each side cut into two triangles.
+TriMesh cube() {
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  const std::vector<std::array<int, 3>> triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                                     {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                     {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return make_mesh(points, triangles);
+}
+
+TEST(FeatureCurves, FindsTwelveCreasesAndEightCornersOfACube) {
+  const TriMesh mesh = cube();
+  const FeatureCurves features(mesh, right_angle / 2.0);
+  std::set<int> curves;
+  for (const auto e : mesh.edges()) {
+    if (features.curve_of(e)) curves.insert(*features.curve_of(e));
+  }
+  EXPECT_EQ(curves.size(), 12u);
+  for (const auto v : mesh.vertices()) EXPECT_EQ(features.kind(v), FeatureKind::corner);
+}
+
+TEST(FeatureCurves, HasNoCreasesUnlessAskedFor) {
+  EXPECT_TRUE(FeatureCurves(cube(), std::nullopt).empty());
+  EXPECT_TRUE(FeatureCurves(cube(), 1.1 * right_angle).empty());
+}
+
+TEST(FeatureCurves, CutsTheBoundaryOfASheetAtItsCorners) {
+  const TriMesh sheet = testing_support::triangular_sheet(5, 3);
+  const FeatureCurves features(sheet, std::nullopt);
+  int corners = 0;
+  for (const auto v : sheet.vertices()) {
+    EXPECT_EQ(features.kind(v) == FeatureKind::none, !v.is_boundary());
+    if (features.kind(v) == FeatureKind::corner) ++corners;
+  }
+  EXPECT_EQ(corners, 4);
+}
+
+TEST(FeatureCurves, SlidesAlongTheCurveAndNotBeyondItsEnds) {
+  const TriMesh sheet = testing_support::triangular_sheet(6, 2);
+  const FeatureCurves features(sheet, std::nullopt);
+  const auto on_lower_side =
+      std::find_if(sheet.vertices_begin(), sheet.vertices_end(), [&](const auto& v) {
+        return features.kind(v) == FeatureKind::curve && sheet.point(v).y() == 0.0;
+      });
+  const CurvePoint start = features.at(*on_lower_side);
+  const CurvePoint moved = features.nearest({3.7, 0.4, 0.2}, start);
+  EXPECT_LT((moved.position - Eigen::Vector3d(3.7, 0.0, 0.0)).norm(), 1e-14);
+  EXPECT_EQ(moved.curve, start.curve);
+  EXPECT_NEAR(std::abs(features.tangent(moved).x()), 1.0, 1e-15);
+  const Eigen::Vector3d beyond(50.0, -20.0, 0.0);
+  const CurvePoint end = features.nearest(beyond, start);
+  EXPECT_EQ(end.position, features.nearest(beyond, start.curve).position);
+}
+
+}  // namespace
+}  // namespace trivalent::remesh
