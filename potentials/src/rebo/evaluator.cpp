@@ -45,10 +45,10 @@ struct Largest {
 
 }  // namespace
 
-Evaluator::Evaluator(const Parameters& parameters, double skin)
+Evaluator::Evaluator(const Parameters& parameters, double skin, CleanKernel kernel)
     : parameters_(parameters),
       clean_parameters_(clean_parameters(parameters)),
-      clean_kernel_(best_clean_kernel()),
+      clean_kernel_(kernel),
       skin_(skin) {}
 
 const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
