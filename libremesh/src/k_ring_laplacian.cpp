@@ -1,6 +1,5 @@
 #include "k_ring_laplacian.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -103,44 +102,70 @@ Positions positions_of(const TriMesh& mesh) {
   return positions;
 }
 
+/// Rows of the system for a run of vertices.
+struct Rows {
+  std::vector<int> sizes;  // entries per row
+  std::vector<int> columns;
+  std::vector<double> values;
+};
+
+/// Appends one row and returns its part of the gradient.
+Eigen::RowVector3d append_row(const std::vector<Hop>& found, Rows& rows) {
+  Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();
+  double sum = 0.0;
+  std::size_t diagonal = 0;
+  for (const Hop& hop : found) {
+    if (hop.hops == 0) diagonal = rows.values.size();
+    const double weight = hop.hops == 0 ? 0.0 : 1.0 / hop.hops;
+    rows.columns.push_back(hop.vertex);
+    rows.values.push_back(-weight);
+    gradient -= weight * hop.offset.transpose();
+    sum += weight;
+  }
+  rows.values[diagonal] = sum;
+  rows.sizes.push_back(static_cast<int>(found.size()));
+  return gradient;
+}
+
+/// Strings the runs together.
+SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
+  SparseMatrix matrix(n, n);
+  int* begin = matrix.outerIndexPtr();
+  std::size_t total = 0;
+  for (const Rows& run : runs) {
+    for (const int size : run.sizes) {
+      total += static_cast<std::size_t>(size);
+      *++begin = static_cast<int>(total);
+    }
+  }
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(total));
+  int* column = matrix.innerIndexPtr();
+  double* value = matrix.valuePtr();
+  for (const Rows& run : runs) {
+    column = std::ranges::copy(run.columns, column).out;
+    value = std::ranges::copy(run.values, value).out;
+  }
+  return matrix;
+}
+
 }  // namespace
 
 KRingSystem k_ring_system(const TriMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
                           int rings) {
+  constexpr std::size_t run_length = 4096;
   const OneRings one_rings = one_rings_of(mesh);
   const Positions positions = positions_of(mesh);
-  const auto n = static_cast<Eigen::Index>(mesh.n_vertices());
-  KRingSystem system{SparseMatrix(n, n), Positions::Zero(n, 3)};
-  SparseMatrix& laplacian = system.laplacian;
-  int* const row_begin = laplacian.outerIndexPtr();
-  const auto for_each_row = [&](const auto& function) {
-    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 1024), [&](const auto& range) {
-      RingWalk walk(positions, one_rings, normals);
-      for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
-        function(i, walk.around(static_cast<int>(i), rings));
-      }
-    });
-  };
-  for_each_row([&](Eigen::Index i, const std::vector<Hop>& found) {
-    row_begin[i + 1] = static_cast<int>(found.size());
-  });
-  for (Eigen::Index i = 0; i < n; ++i) row_begin[i + 1] += row_begin[i];
-  laplacian.resizeNonZeros(row_begin[n]);
-  for_each_row([&](Eigen::Index i, const std::vector<Hop>& found) {
-    double sum = 0.0;
-    int diagonal = row_begin[i];
-    int at = row_begin[i];
-    for (const Hop& hop : found) {
-      const double weight = hop.hops == 0 ? 0.0 : 1.0 / hop.hops;
-      if (hop.hops == 0) diagonal = at;
-      laplacian.innerIndexPtr()[at] = hop.vertex;
-      laplacian.valuePtr()[at++] = -weight;
-      system.gradient.row(i) -= weight * hop.offset.transpose();
-      sum += weight;
+  const std::size_t n = mesh.n_vertices();
+  std::vector<Rows> runs((n + run_length - 1) / run_length);
+  Positions gradient(static_cast<Eigen::Index>(n), 3);
+  tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t run) {
+    RingWalk walk(positions, one_rings, normals);
+    for (std::size_t i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
+      gradient.row(static_cast<Eigen::Index>(i)) =
+          append_row(walk.around(static_cast<int>(i), rings), runs[run]);
     }
-    laplacian.valuePtr()[diagonal] = sum;
   });
-  return system;
+  return {assemble(runs, static_cast<Eigen::Index>(n)), std::move(gradient)};
 }
 
 }  // namespace trivalent::remesh

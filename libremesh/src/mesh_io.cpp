@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "mesh_readers.h"
+#include "soup_repair.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/polygon_soup.h"
 #include "trivalent/remesh/whole_file.h"
@@ -16,29 +17,7 @@ namespace trivalent::remesh {
 
 namespace {
 
-// --------------------------------------------------------------------------------------- reading
-
-/// Removes the points that no triangle uses; returns how many.
-std::size_t drop_isolated_points(TriangleSoup& soup) {
-  std::vector<int> new_index(soup.points.size(), -1);
-  for (const auto& triangle : soup.triangles) {
-    for (const int v : triangle) new_index[static_cast<std::size_t>(v)] = 0;
-  }
-  int used = 0;
-  for (std::size_t v = 0; v < new_index.size(); ++v) {
-    if (new_index[v] < 0) continue;
-    soup.points[static_cast<std::size_t>(used)] = soup.points[v];
-    new_index[v] = used++;
-  }
-  const std::size_t dropped = soup.points.size() - static_cast<std::size_t>(used);
-  soup.points.resize(static_cast<std::size_t>(used));
-  for (auto& triangle : soup.triangles) {
-    for (int& v : triangle) v = new_index[static_cast<std::size_t>(v)];
-  }
-  return dropped;
-}
-
-// --------------------------------------------------------------------------------------- writing
+// ---- writing -----------------------------------------------------------------------------------
 
 /// The shortest digits that read back to the same bits.
 void write_number(std::ostream& out, double value) {

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ------------------------------------------------------------------------------- bytes of a file
+// ---- bytes of a file ---------------------------------------------------------------------------
 
 std::string read_bytes(const fs::path& path) {
   const auto complain = [&path](int error_number) {
@@ -84,7 +84,7 @@ std::string unpack(const Source& source) {
   }
 }
 
-// ------------------------------------------------------------------------------------ kind of file
+// ---- kind of file ------------------------------------------------------------------------------
 
 enum class Kind { off, obj, ply, text_stl, binary_stl };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "constrained_mesh.h"
 #include "relaxation.h"
@@ -129,19 +130,19 @@ StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& opti
           .mends_valences = i <= mending_part * options.iterations};
 }
 
-/// One round of stellar operations and flips; more of them as long as the mean edge length is out
-/// of the range and rounds still get somewhere, so that a few iterations reach a target far from
-/// the input.
+/// One round of stellar operations and flips; more of them while the mean edge length is far from
+/// the target and comes nearer, so that a few iterations reach a target far from the input.
 void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
-  constexpr double least_progress = 0.01;  // part of the edges
-  bool is_far = true;
-  while (is_far) {
-    const auto edges = static_cast<double>(constrained.mesh.n_edges());
-    const int changed = apply_stellar_operations(constrained, limits);
+  constexpr double far = 0.33;             // of the target
+  constexpr double least_progress = 0.02;  // of the target, per round
+  double distance = std::numeric_limits<double>::max();
+  double before = distance;
+  do {
+    apply_stellar_operations(constrained, limits);
     correct_valences(constrained);
-    const double mean = mean_edge_length(constrained.mesh);
-    is_far = (mean < limits.shortest || mean > limits.longest) && changed > least_progress * edges;
-  }
+    before = distance;
+    distance = std::abs(mean_edge_length(constrained.mesh) - limits.target);
+  } while (distance > far * limits.target && distance < before - least_progress * limits.target);
 }
 
 }  // namespace

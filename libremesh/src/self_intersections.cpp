@@ -86,10 +86,12 @@ class IntersectionTest {
     return shared;
   }
 
-  /// Across a common edge, faces overlap only if they lie in one plane on the same side of the
-  /// edge.
+  /// Across a common edge, faces overlap only if they lie in one plane on the same side of it.
   [[nodiscard]] bool is_folded_flat(const Corners& a, const Corners& b) const {
-    const auto &p = point(a[0]), &q = point(a[1]), &tip_a = point(a[2]), &tip_b = point(b[2]);
+    const Kernel::Point_3& p = point(a[0]);
+    const Kernel::Point_3& q = point(a[1]);
+    const Kernel::Point_3& tip_a = point(a[2]);
+    const Kernel::Point_3& tip_b = point(b[2]);
     return CGAL::coplanar(p, q, tip_a, tip_b) &&
            CGAL::coplanar_orientation(p, q, tip_a, tip_b) == CGAL::POSITIVE;
   }

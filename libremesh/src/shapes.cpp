@@ -55,7 +55,7 @@ int pieces(const Request& request, double length, double wanted, int fewest) {
                              " are too long for this ", request.shape, "; take shorter ones"));
 }
 
-// ------------------------------------------------------------------------- subdivided icosahedron
+// ---- subdivided icosahedron --------------------------------------------------------------------
 
 struct Triangles {
   std::vector<Eigen::Vector3d> points;
@@ -172,7 +172,7 @@ TriMesh ellipsoid(const Request& request) {
   return stretched_sphere(request, {request.at("a"), request.at("b"), request.at("c")});
 }
 
-// ------------------------------------------------------------------------------- rows of vertices
+// ---- rows of vertices --------------------------------------------------------------------------
 
 /// Vertices along a line and where they lie on it, in [0, 1] or a little beyond; a ring repeats its
 /// first vertex at the end, a pole has one vertex.
@@ -317,7 +317,7 @@ TriMesh open_tube(const Request& request) {
   return revolve(profile, Profile::open, 2.0 * pi * radius / around);
 }
 
-// ------------------------------------------------------------------------------------- wavy sheet
+// ---- wavy sheet --------------------------------------------------------------------------------
 
 struct Waves {
   double amplitude = 0.0;
@@ -378,7 +378,7 @@ TriMesh wavy_sheet(const Request& request) {
   return make_mesh(mesh.points, mesh.corners);
 }
 
-// ----------------------------------------------------------------------------------- double torus
+// ---- double torus ------------------------------------------------------------------------------
 
 double distance_to_torus(const Eigen::Vector3d& p, double R, double r) {
   return std::hypot(std::hypot(p.x(), p.y()) - R, p.z()) - r;
@@ -410,7 +410,7 @@ TriMesh double_torus(const Request& request) {
   return polygonize({value, {-high, high}}, request.edge_length);
 }
 
-// ------------------------------------------------------------------------------------------ names
+// ---- names -------------------------------------------------------------------------------------
 
 struct BuiltInShape {
   ShapeDescription description;

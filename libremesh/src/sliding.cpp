@@ -10,8 +10,6 @@ namespace trivalent::remesh {
 
 namespace {
 
-std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
-
 Eigen::Vector3d area_vector(const std::array<int, 3>& face,
                             const std::vector<Eigen::Vector3d>& at) {
   const Eigen::Vector3d& a = at[static_cast<std::size_t>(face[0])];

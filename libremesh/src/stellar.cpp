@@ -18,37 +18,38 @@ struct Candidate {
   double deviation = 0.0;  ///< | |a| - m_i |
 };
 
+int squared(int deviation) { return deviation * deviation; }
+
 /// A collapse merges v1 and v3 into a vertex of valence v1 + v3 - 4 and takes an edge from v2 and
-/// v4.
-bool collapse_mends_valences(const TriMesh& mesh, EdgeHandle e) {
+/// v4; a split makes a vertex of valence 4 and gives an edge to v2 and v4.
+bool mends_valences(const TriMesh& mesh, EdgeHandle e, const std::vector<int>& deviations,
+                    bool by_collapse) {
   const auto [v1, v2, v3, v4] = neighborhood_of(mesh, e);
-  const int before = irregularity(mesh, v1, 0) + irregularity(mesh, v2, 0) +
-                     irregularity(mesh, v3, 0) + irregularity(mesh, v4, 0);
-  const int merged = irregularity(mesh, v1, static_cast<int>(mesh.valence(v3)) - 4);
-  return merged + irregularity(mesh, v2, -1) + irregularity(mesh, v4, -1) < before;
-}
-
-/// A split makes a vertex of valence 4 and gives an edge to v2 and v4.
-bool split_mends_valences(const TriMesh& mesh, EdgeHandle e) {
-  const auto [v1, v2, v3, v4] = neighborhood_of(mesh, e);
-  constexpr int irregularity_of_midpoint = (4 - 6) * (4 - 6);
-  return irregularity_of_midpoint + irregularity(mesh, v2, 1) + irregularity(mesh, v4, 1) <
-         irregularity(mesh, v2, 0) + irregularity(mesh, v4, 0);
-}
-
-bool is_wanted(const TriMesh& mesh, EdgeHandle e, const StellarLimits& limits) {
-  const double length = mesh.calc_edge_length(e);
-  if (length > limits.longest || length < limits.shortest) return true;
-  if (!limits.mends_valences || mesh.is_boundary(e)) return false;
-  return length < limits.target ? collapse_mends_valences(mesh, e) : split_mends_valences(mesh, e);
+  for (const VertexHandle v : {v1, v2, v3, v4}) {
+    if (mesh.is_boundary(v)) return false;
+  }
+  const int d1 = deviations[index(v1)];
+  const int d2 = deviations[index(v2)];
+  const int d3 = deviations[index(v3)];
+  const int d4 = deviations[index(v4)];
+  if (by_collapse) {
+    return squared(d1 + d3 + 2) + squared(d2 - 1) + squared(d4 - 1) <
+           squared(d1) + squared(d2) + squared(d3) + squared(d4);
+  }
+  return squared(-2) + squared(d2 + 1) + squared(d4 + 1) < squared(d2) + squared(d4);
 }
 
 /// [Pecanha2013, Algorithm 2]
 std::vector<Candidate> priority_list(const TriMesh& mesh, const StellarLimits& limits) {
+  const std::vector<int> deviations =
+      limits.mends_valences ? valence_deviations(mesh) : std::vector<int>();
   std::vector<Candidate> list;
   for (const auto e : mesh.edges()) {
-    if (!is_wanted(mesh, e, limits)) continue;
-    list.push_back({e, std::abs(mesh.calc_edge_length(e) - limits.target)});
+    const double length = mesh.calc_edge_length(e);
+    const bool out_of_range = length > limits.longest || length < limits.shortest;
+    const bool is_mended = !out_of_range && limits.mends_valences && !e.is_boundary() &&
+                           mends_valences(mesh, e, deviations, length < limits.target);
+    if (out_of_range || is_mended) list.push_back({e, std::abs(length - limits.target)});
   }
   // Ties keep their order, so that the result is the same everywhere.
   std::ranges::stable_sort(list, std::greater(), &Candidate::deviation);
@@ -87,7 +88,6 @@ class StellarRound {
     const HalfedgeHandle h = mesh_.halfedge_handle(e, 0);
     return locked_[index(mesh_.from_vertex_handle(h))] || locked_[index(mesh_.to_vertex_handle(h))];
   }
-  static std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
   void lock_star(VertexHandle v) {
     locked_.resize(mesh_.n_vertices(), false);

@@ -28,8 +28,7 @@ struct Source {
 /// Whether a backslash at the end of a line joins the next one to it.
 enum class Continuation { none, backslash };
 
-/// Reads words line by line. Lines end in LF, CRLF or CR; comments run from # to the end of the
-/// line.
+/// Reads words line by line. Lines end in LF, CRLF or CR; comments run from # to there.
 class TextScanner {
  public:
   TextScanner(const Source& source, Continuation continuation)

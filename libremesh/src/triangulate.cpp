@@ -10,8 +10,7 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// Cutting ears takes quadratic time; a polygon like this is no surface but an attack or an
-/// accident.
+/// Cutting ears takes quadratic time; larger polygons are an attack or an accident.
 constexpr std::size_t most_corners_of_a_concave_polygon = 1000;
 
 using Triangle = std::array<int, 3>;

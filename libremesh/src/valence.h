@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "constrained_mesh.h"
 
 namespace trivalent::remesh {
 
-/// Squared distance of a vertex from its wanted valence, if its valence changed by `change`: 6, or
-/// 4 on a boundary, where half of the ring is missing.
-[[nodiscard]] int irregularity(const TriMesh& mesh, VertexHandle v, int change);
+/// By how much every vertex's valence differs from what it should be: 6, or 4 on a boundary, where
+/// half of the ring is missing. Taken once per sweep over the edges: counting around a vertex anew
+/// for every edge costs more than all the rest of the sweep.
+[[nodiscard]] std::vector<int> valence_deviations(const TriMesh& mesh);
 
 /// The four vertices around an edge, named as in [Pecanha2013, Figure 1]: the edge runs from v1 to
 /// v3, v2 and v4 are opposite to it. The edge must not be on a boundary.

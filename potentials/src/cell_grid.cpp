@@ -120,6 +120,32 @@ void add_images_along(int k, double cutoff, const ReducedFrame& frame,
 
 }  // namespace
 
+std::array<std::int32_t, 3> image_between(const GridPoint& from, const GridPoint& to) {
+  std::array<std::int32_t, 3> image{};
+  for (std::size_t k = 0; k < 3; ++k) image[k] = to.image[k] - from.image[k];
+  return image;
+}
+
+bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to, Squared distances) {
+  const bool is_clear =
+      std::abs(distances.distance - distances.cutoff) > (rounding_margin - 1.0) * distances.cutoff;
+  if (is_clear) return distances.distance < distances.cutoff;
+  // Too close to call: computed again, always from the same one of the two.
+  std::array<std::int32_t, 3> image = image_between(from, to);
+  std::uint32_t first = from.atom;
+  std::uint32_t second = to.atom;
+  if (second < first || (second == first && image < std::array<std::int32_t, 3>{})) {
+    std::swap(first, second);
+    for (std::int32_t& k : image) k = -k;
+  }
+  Eigen::Vector3d separation = atoms.positions[second] - atoms.positions[first];
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t count = image[static_cast<std::size_t>(k)];
+    if (count != 0) separation += count * atoms.box.cell.col(k);
+  }
+  return separation.squaredNorm() < distances.cutoff;
+}
+
 CellGrid::CellGrid(const Atoms& atoms, double cutoff)
     // A little larger than the cutoff, so that rounding cannot put neighbors two cells apart.
     : squared_cutoff_(cutoff * cutoff), cell_size_(cutoff * (1.0 + 1e-6)) {

@@ -19,6 +19,24 @@ struct GridPoint {
   bool is_home;                       ///< one point of each atom is; the others are its images
 };
 
+/// Cell vectors between two points, as counted from the positions of their atoms as given.
+[[nodiscard]] std::array<std::int32_t, 3> image_between(const GridPoint& from, const GridPoint& to);
+
+/// Squares of the distance between two points, as rounded, and of the one it is compared with [Å²].
+struct Squared {
+  double distance;
+  double cutoff;
+};
+
+/// Whether two points are nearer than a distance, with the same answer from both ends even where
+/// the rounding of periodic images would decide.
+[[nodiscard]] bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to,
+                             Squared distances);
+
+/// Two distances this close relative to each other may be swapped by rounding: a search whose
+/// results are passed to is_nearer has a cutoff larger by this factor.
+constexpr double rounding_margin = 1.0 + 1e-6;
+
 /// All atoms, and the images of them that lie within the cutoff of an atom, sorted into cubic
 /// cells.
 ///

@@ -74,8 +74,7 @@ std::string gzipped(const TemporaryFolder& folder, const std::string& text) {
   return contents_of(path);
 }
 
-// --------------------------------------------------------------------------------- reading +
-// writing
+// ---- writing -----------------------------------------------------------------------------------
 
 TEST(WriteMesh, TextReadsBackToTheSameBits) {
   const TemporaryFolder folder;
@@ -130,8 +129,7 @@ TEST(WriteMesh, ThrowsOnCoordinatesThatStlCannotHold) {
   EXPECT_EQ(folder.count_files(), 0);
 }
 
-// ---------------------------------------------------------------------------------------- real
-// files
+// ---- real files --------------------------------------------------------------------------------
 
 TEST(ReadMesh, ReadsRealMeshesWhole) {
   struct Known {
@@ -200,8 +198,7 @@ TEST(ReadMesh, NamesTheElementThatIsNotManifold) {
   EXPECT_NE(message.find("from vertex 1 to 3"), std::string::npos) << message;
 }
 
-// ----------------------------------------------------------------------------------------- any
-// kind
+// ---- any kind ----------------------------------------------------------------------------------
 
 TEST(ParsePolygonSoup, ReadsByContentWhereTheExtensionDisagrees) {
   expect_tetrahedron(parse_polygon_soup(off_text, "a.ply"),
@@ -238,8 +235,7 @@ TEST(ParsePolygonSoup, RefusesEveryFileCutShort) {
   }
 }
 
-// ----------------------------------------------------------------------------------------------
-// OFF
+// ---- OFF ---------------------------------------------------------------------------------------
 
 TEST(ReadOff, AcceptsLegalOddities) {
   expect_tetrahedron(parse_polygon_soup(off_text, "a.off"));
@@ -300,8 +296,7 @@ TEST(ReadOff, RefusesDeclarationsThatTheFileCannotHold) {
                  "a.off", "declares 2000000000 corners");
 }
 
-// ----------------------------------------------------------------------------------------------
-// OBJ
+// ---- OBJ ---------------------------------------------------------------------------------------
 
 TEST(ReadObj, AcceptsLegalOddities) {
   expect_tetrahedron(parse_polygon_soup(obj_text, "a.obj"));
@@ -344,8 +339,7 @@ TEST(ReadObj, NamesTheLineOrElementOfAnError) {
   expect_refusal("v 0 0\nv 1 1 1\n", "a.obj", "line 2: 'v' stands where a coordinate should");
 }
 
-// ----------------------------------------------------------------------------------------------
-// PLY
+// ---- PLY ---------------------------------------------------------------------------------------
 
 std::string ply_header(std::string_view format, std::string_view real = "float") {
   return concat("ply\nformat ", format,
@@ -435,8 +429,7 @@ TEST(ReadPly, RefusesDeclarationsThatTheFileCannotHold) {
   expect_refusal(list + "\xff\xff\xff\x7f", "a.ply", "a list of 2.14748e+09 values");
 }
 
-// ----------------------------------------------------------------------------------------------
-// STL
+// ---- STL ---------------------------------------------------------------------------------------
 
 std::string text_stl() {
   std::string text = "solid a name # 7\n";
@@ -507,8 +500,7 @@ TEST(ReadStl, NamesThePlaceOfAnError) {
             "ignored 4 bytes after the last triangle");
 }
 
-// ------------------------------------------------------------------------------------
-// triangulation
+// ---- triangulation -----------------------------------------------------------------------------
 
 TriangleSoup split(const std::vector<Eigen::Vector3d>& points) {
   PolygonSoup soup;

@@ -41,8 +41,7 @@ TriMesh moved(TriMesh mesh, const Eigen::Vector3d& by) {
   return mesh;
 }
 
-// ----------------------------------------------------------------------------------------
-// regularity
+// ---- regularity --------------------------------------------------------------------------------
 
 TEST(MeasureQuality, OfTheIcosahedron) {
   const MeshQuality quality = measure_quality(icosahedron());
@@ -112,8 +111,7 @@ TEST(MeasureQuality, OfNothingIsNothing) {
   EXPECT_EQ(quality.largest_angle, 0.0);
 }
 
-// --------------------------------------------------------------------------------
-// self-intersections
+// ---- self-intersections ------------------------------------------------------------------------
 
 TEST(SelfIntersections, AreNoneInClosedShapes) {
   for (const auto* name : {"sphere", "torus", "double-torus", "capsule", "tube", "wavy-sheet"}) {
@@ -159,8 +157,7 @@ TEST(SelfIntersections, AreFoundInAFlatFold) {
   EXPECT_EQ(measure_quality(fold(0.5, 1e-300)).self_intersections, 0);
 }
 
-// -----------------------------------------------------------------------------------------
-// distances
+// ---- distances ---------------------------------------------------------------------------------
 
 TEST(MeasureDistance, IsZeroToItself) {
   const TriMesh mesh = make_shape("torus", {}, 0.2);

@@ -104,6 +104,15 @@ TEST(Remesh, ScalesWithItsInput) {
   for (const auto v : small.vertices()) ASSERT_EQ(factor * small.point(v), large.point(v));
 }
 
+TEST(Remesh, EndsHoweverNarrowTheTolerance) {
+  const TriMesh torus = make_shape("torus", {}, 0.3);
+  for (const double tolerance : {1e-6, 0.1, 0.999}) {
+    const RemeshResult result = remesh(
+        torus, {.target_edge_length = 0.2, .iterations = 3, .rings = 1, .tolerance = tolerance});
+    EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 0);
+  }
+}
+
 TEST(Remesh, ReportsProgressAfterEveryIteration) {
   int calls = 0;
   RemeshOptions options{.target_edge_length = 0.5, .iterations = 3};

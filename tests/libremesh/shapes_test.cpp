@@ -63,8 +63,7 @@ TEST(MakeShape, HasEdgesNearTheWantedLength) {
     for (const double edge_length : {0.1, 0.05}) {
       const TriMesh mesh = make_shape(name, {}, edge_length);
       EXPECT_NEAR(mean_edge_length(mesh), edge_length, 0.06 * edge_length) << name;
-      // The ellipsoid's triangles stretch with its axes, 1.5 to 0.75; double-torus comes from a
-      // lattice.
+      // The ellipsoid's triangles stretch with its axes, 1.5 to 0.75.
       EXPECT_LT(longest_edge(mesh), 1.9 * edge_length) << name;
       EXPECT_GT(shortest_edge(mesh), 0.3 * edge_length) << name;
     }

@@ -60,15 +60,14 @@ TEST(ApplyStellarOperations, KeepsTheGenusHoweverCoarse) {
   for (const auto v : mesh.vertices()) EXPECT_GE(v.valence(), 3u);
 }
 
-TEST(ApplyStellarOperations, MendsTwinDefectsWithinTheLimits) {
-  // A flipped edge in a regular sheet leaves two 5s and two 7s; a longer edge between the 5s'
-  // opposite vertices may not be touched unless asked for.
+TEST(ApplyStellarOperations, MendsValencesWithinTheLimitsOnlyIfAskedTo) {
+  // A split edge in a regular sheet leaves a vertex of valence 4 and two of 7; a collapse undoes
+  // it.
   TriMesh sheet = testing_support::triangular_sheet(8, 8);
-  EdgeHandle inside;
-  for (const auto e : sheet.edges()) {
-    if (!e.v0().is_boundary() && !e.v1().is_boundary()) inside = e;
-  }
-  sheet.flip(inside);
+  const VertexHandle center(4 * 9 + 4);
+  const HalfedgeHandle h = sheet.halfedge_handle(center);
+  const Eigen::Vector3d midpoint = sheet.point(center) + 0.5 * sheet.calc_edge_vector(h);
+  sheet.split(sheet.edge_handle(h), midpoint);
   ConstrainedMesh constrained(sheet, std::nullopt);
   StellarLimits wide{.target = 2.0, .shortest = 0.1, .longest = 10.0, .overlong = 10.0};
   EXPECT_EQ(apply_stellar_operations(constrained, wide), 0);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference_structure.h"
+#include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/rebo.h"
 
@@ -18,6 +19,7 @@ using Evaluate = potentials::EnergyForces (*)(const potentials::Atoms&);
 
 const std::map<std::string, Evaluate>& styles() {
   static const std::map<std::string, Evaluate> table = {
+      {"airebo11", [](const potentials::Atoms& atoms) { return potentials::airebo(atoms); }},
       {"rebo", [](const potentials::Atoms& atoms) { return potentials::rebo(atoms); }},
       {"ljcut", [](const potentials::Atoms& atoms) { return potentials::lennard_jones(atoms); }},
   };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
 
@@ -103,6 +104,21 @@ TEST(NeighborList, TakesNoMemoryForEmptySpace) {
     atoms.species.push_back(Species::carbon);
   }
   expect_all_found(atoms, 2.0, 0);
+}
+
+// Images at exactly the cutoff: rounding must not find a pair from one end only.
+TEST(NeighborList, FindsPairsFromBothEndsOrNotAtAll) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Atoms atoms = random_gas(6, periodic(cube(2.0)), seed);
+    const NeighborList list(atoms, 2.0);
+    for (std::uint32_t i = 0; i < atoms.size(); ++i) {
+      for (const Neighbor& n : list[i]) {
+        const Id back(i, -n.image[0], -n.image[1], -n.image[2]);
+        const auto others = ids(list[n.atom]);
+        EXPECT_NE(std::ranges::find(others, back), others.end());
+      }
+    }
+  }
 }
 
 TEST(NeighborList, IsEmptyWithoutAtoms) { EXPECT_EQ(NeighborList(Atoms{}, 2.0).size(), 0u); }

@@ -51,6 +51,15 @@ TEST(ReboEvaluator, AgreesWithThePlainOneOnSheetsOfAnyDisorder) {
   }
 }
 
+TEST(ReboEvaluator, AgreesWithThePlainOneOnShells) {
+  for (const double disorder : {0.0, 0.05, 0.1}) {
+    Atoms atoms = testing_support::geodesic_shell(12, 1.42);
+    ASSERT_EQ(atoms.size(), 2880u);
+    displace(atoms, disorder, 1);
+    expect_same(rebo(atoms), plain(atoms));
+  }
+}
+
 TEST(ReboEvaluator, AgreesWithThePlainOneOnCrystals) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     Atoms atoms = diamond(2, 3.2 + 0.1 * seed);
@@ -75,6 +84,17 @@ TEST(ReboEvaluator, AgreesWithThePlainOneInCellsSmallerThanTheCutoff) {
     expect_same(rebo(atoms), plain(atoms));
     expect_same(rebo(random_hydrocarbon(2, periodic(cube(1.8)), 0.5, seed)),
                 plain(random_hydrocarbon(2, periodic(cube(1.8)), 0.5, seed)));
+  }
+}
+
+TEST(ReboEvaluator, AgreesWithThePlainOneAtExactlyTheCutoff) {
+  for (const double width : {1.7, 1.8, 2.0, 2.3}) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      const Atoms atoms = random_hydrocarbon(3, periodic(cube(width)), 0.6, seed);
+      expect_same(rebo(atoms), plain(atoms));
+      Rebo potential;
+      expect_same(potential.evaluate(atoms), plain(atoms));
+    }
   }
 }
 

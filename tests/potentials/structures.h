@@ -2,8 +2,10 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "random_atoms.h"
 #include "trivalent/potentials/atoms.h"
@@ -43,6 +45,53 @@ namespace trivalent::testing_support {
   }
   atoms.species.assign(atoms.positions.size(), potentials::Species::carbon);
   atoms.box = periodic(cube(n * lattice));
+  return atoms;
+}
+
+/// Dual of the geodesic sphere that cuts each edge of an icosahedron `frequency` times: a closed
+/// shell of 20 frequency² carbons with twelve pentagons, bonds within some percent of `bond` [Å].
+[[nodiscard]] inline potentials::Atoms geodesic_shell(int frequency, double bond) {
+  const double golden = 0.5 * (1.0 + std::sqrt(5.0));
+  std::vector<Eigen::Vector3d> corners;
+  for (const double s : {-1.0, 1.0}) {
+    for (const double t : {-golden, golden}) {
+      corners.insert(corners.end(), {{0, s, t}, {s, t, 0}, {t, 0, s}});
+    }
+  }
+  // Edges of this icosahedron are 2 long.
+  const auto is_edge = [&](std::size_t a, std::size_t b) {
+    return std::abs((corners[a] - corners[b]).norm() - 2.0) < 0.1;
+  };
+  const double area_of_atom = 0.75 * std::sqrt(3.0) * bond * bond;
+  const double count = 20.0 * frequency * frequency;
+  const double radius = std::sqrt(count * area_of_atom / (4.0 * std::numbers::pi));
+  potentials::Atoms atoms;
+  const auto add_face = [&](const Eigen::Matrix3d& face) {
+    const auto vertex = [&](int i, int j) -> Eigen::Vector3d {
+      return (face * Eigen::Vector3d(frequency - i - j, i, j)).normalized();
+    };
+    const auto add_triangle = [&](const Eigen::Vector3d& sum) {
+      atoms.positions.emplace_back(radius * sum.normalized());
+    };
+    for (int i = 0; i < frequency; ++i) {
+      for (int j = 0; i + j < frequency; ++j) {
+        add_triangle(vertex(i, j) + vertex(i + 1, j) + vertex(i, j + 1));
+        if (i + j + 1 == frequency) continue;
+        add_triangle(vertex(i + 1, j) + vertex(i + 1, j + 1) + vertex(i, j + 1));
+      }
+    }
+  };
+  for (std::size_t a = 0; a < 12; ++a) {
+    for (std::size_t b = a + 1; b < 12; ++b) {
+      for (std::size_t c = b + 1; c < 12; ++c) {
+        if (!is_edge(a, b) || !is_edge(b, c) || !is_edge(a, c)) continue;
+        Eigen::Matrix3d face;
+        face << corners[a], corners[b], corners[c];
+        add_face(face);
+      }
+    }
+  }
+  atoms.species.assign(atoms.positions.size(), potentials::Species::carbon);
   return atoms;
 }
 

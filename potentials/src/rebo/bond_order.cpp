@@ -198,75 +198,108 @@ double BondOrder::pi(const Pair& pair, double weight) const {
 struct BondOrder::Corner {
   std::size_t neighbor;
   Eigen::Vector3d normal;  // separation of the pair × separation of the neighbor
-  double share;            // f'(r_ik) s(cosθ)
+  double share;            // f(r_ik) s(cosθ)
+  ValueAndSlope cutoff;    // f
+  ValueAndSlope bent;      // s
   CosineOfAngle cosine;
-  ValueAndSlope bent;  // s
 };
 
-BondOrder::Corner BondOrder::corner(const Pair& pair, std::size_t index) const {
+// The angle between the planes at both ends.
+struct BondOrder::Dihedral {
+  const Corner& near;
+  const Corner& far;
+  double cosine;  // 1 if both neighbors are on the same side
+};
+
+BondOrder::Corner BondOrder::corner(const Pair& pair, std::size_t index, Cutoff cutoff) const {
   const Bond& neighbor = bonds_[index];
   const CosineOfAngle cosine = cosine_of_angle(pair.separation, neighbor.separation);
   const ValueAndSlope bent = cubic_rise(cosine.value, straight_angle);
-  Corner result = {index, pair.separation.cross(neighbor.separation),
-                   neighbor.dihedral_cutoff.value * bent.value, cosine, bent};
+  const ValueAndSlope f = neighbor.*cutoff;
+  const Eigen::Vector3d normal = pair.separation.cross(neighbor.separation);
   // Three atoms on a line span no plane.
   constexpr double smallest_sine = 1e-9;
-  if (result.normal.norm() < smallest_sine * pair.distance * neighbor.distance) result.share = 0.0;
-  return result;
+  const bool is_line = normal.norm() < smallest_sine * pair.distance * neighbor.distance;
+  return {index, normal, is_line ? 0.0 : f.value * bent.value, f, bent, cosine};
 }
 
 void BondOrder::add_corner(const Pair& pair, const Corner& corner, double slope_share,
                            const Eigen::Vector3d& slope_normal) const {
   const Bond& neighbor = bonds_[corner.neighbor];
-  gradient_->add_distance(neighbor,
-                          slope_share * corner.bent.value * neighbor.dihedral_cutoff.slope);
-  const double slope_cosine = slope_share * neighbor.dihedral_cutoff.value * corner.bent.slope;
+  gradient_->add_distance(neighbor, slope_share * corner.bent.value * corner.cutoff.slope);
+  const double slope_cosine = slope_share * corner.cutoff.value * corner.bent.slope;
   add_separation(pair,
                  slope_cosine * corner.cosine.slope_a + neighbor.separation.cross(slope_normal));
   gradient_->add_separation(
       neighbor, slope_cosine * corner.cosine.slope_b + slope_normal.cross(pair.separation));
 }
 
-// (1 - cos²Θ) of the planes at both ends times how much they count. The sine of an angle is never
-// divided by; as a quotient of dot products of the normals, cos²Θ has slopes of the same form.
-double BondOrder::dihedral_term(const Pair& pair, const Corner& near, const Corner& far,
-                                double weight) const {
-  const Eigen::Vector3d& m = near.normal;
-  const Eigen::Vector3d& n = far.normal;
-  const double overlap = m.dot(n);
-  const double both = m.squaredNorm() * n.squaredNorm();
-  const double squared_sine = 1.0 - overlap * overlap / both;
-  const double share = near.share * far.share;
-  if (gradient_ == nullptr) return squared_sine * share;
-
-  const double scale = -2.0 * weight * share * overlap / both;
-  const Eigen::Vector3d slope_m = scale * (n - overlap / m.squaredNorm() * m);
-  const Eigen::Vector3d slope_n = scale * (m - overlap / n.squaredNorm() * n);
-  add_corner(pair, near, weight * squared_sine * far.share, slope_m);
-  add_corner(reversed(bonds_, pair), far, weight * squared_sine * near.share, slope_n);
-  return squared_sine * share;
+// The third atom of a three-membered ring is on both ends: no dihedral angle.
+bool BondOrder::is_ring_of_three(const Pair& pair, const Bond& near, const Bond& far) const {
+  const Eigen::Vector3i image_of_far =
+      Eigen::Vector3i::Map(pair.image.data()) + Eigen::Vector3i::Map(far.image.data());
+  return far.to == near.to && image_of_far == Eigen::Vector3i::Map(near.image.data());
 }
 
-double BondOrder::dihedral_sum(const Pair& pair, double weight) const {
+// Sum of term(dihedral) over the neighbors of both ends; a term returns its value and its slope
+// with respect to the cosine, and is then multiplied by how much both planes count.
+template <typename Term>
+double BondOrder::sum_over_dihedrals(const Pair& pair, double weight, Cutoff cutoff,
+                                     const Term& term) const {
   const Pair back = reversed(bonds_, pair);
   double sum = 0.0;
   for (const std::size_t k : bonds_.from(pair.from)) {
     if (!is_other_neighbor(bonds_[k], pair)) continue;
-    const Corner near = corner(pair, k);
+    const Corner near = corner(pair, k, cutoff);
     if (near.share == 0.0) continue;
     for (const std::size_t l : bonds_.from(pair.to)) {
       if (!is_other_neighbor(bonds_[l], back)) continue;
-      // The third atom of a three-membered ring is on both ends: no dihedral angle.
-      const Eigen::Vector3i image_l =
-          Eigen::Vector3i::Map(pair.image.data()) + Eigen::Vector3i::Map(bonds_[l].image.data());
-      const bool is_same =
-          bonds_[l].to == bonds_[k].to && image_l == Eigen::Vector3i::Map(bonds_[k].image.data());
-      if (is_same) continue;
-      const Corner far = corner(back, l);
-      if (far.share != 0.0) sum += dihedral_term(pair, near, far, weight);
+      if (is_ring_of_three(pair, bonds_[k], bonds_[l])) continue;
+      const Corner far = corner(back, l, cutoff);
+      if (far.share == 0.0) continue;
+      const double both = near.normal.norm() * far.normal.norm();
+      // The pair runs the other way in the far normal: the same side has opposite normals.
+      const Dihedral dihedral = {near, far, -near.normal.dot(far.normal) / both};
+      const ValueAndSlope value = term(dihedral);
+      sum += value.value * near.share * far.share;
+      if (gradient_ != nullptr) add_dihedral(pair, dihedral, value, weight);
     }
   }
   return sum;
+}
+
+void BondOrder::add_dihedral(const Pair& pair, const Dihedral& dihedral, ValueAndSlope term,
+                             double weight) const {
+  const auto& [near, far, cosine] = dihedral;
+  const double slope_planes = -weight * term.slope * near.share * far.share;
+  const CosineOfAngle planes = cosine_of_angle(near.normal, far.normal);
+  add_corner(pair, near, weight * term.value * far.share, slope_planes * planes.slope_a);
+  add_corner(reversed(bonds_, pair), far, weight * term.value * near.share,
+             slope_planes * planes.slope_b);
+}
+
+double BondOrder::dihedral_sum(const Pair& pair, double weight) const {
+  return sum_over_dihedrals(pair, weight, &Bond::dihedral_cutoff, [](const Dihedral& dihedral) {
+    return ValueAndSlope{1.0 - dihedral.cosine * dihedral.cosine, -2.0 * dihedral.cosine};
+  });
+}
+
+double BondOrder::torsion_sum(const Pair& pair, double weight,
+                              std::vector<double>& energies) const {
+  return sum_over_dihedrals(pair, weight, &Bond::cutoff, [&](const Dihedral& dihedral) {
+    const std::uint32_t k = bonds_[dihedral.near.neighbor].to;
+    const std::uint32_t l = bonds_[dihedral.far.neighbor].to;
+    const std::size_t kind =
+        static_cast<std::size_t>(bonds_.species(k)) + static_cast<std::size_t>(bonds_.species(l));
+    const double epsilon = nonbonded_2000[kind].torsion;
+    const double half = 0.5 * (1.0 + dihedral.cosine);  // cos²(ω/2)
+    const double fourth_power = half * half * half * half;
+    const ValueAndSlope term = {epsilon * (256.0 / 405.0 * fourth_power * half - 0.1),
+                                epsilon * 256.0 / 405.0 * 2.5 * fourth_power};
+    const double quarter = 0.25 * weight * term.value * dihedral.near.share * dihedral.far.share;
+    for (const std::uint32_t atom : {pair.from, pair.to, k, l}) energies[atom] += quarter;
+    return term;
+  });
 }
 
 }  // namespace trivalent::potentials::rebo_detail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rebo/bonds.h"
 #include "rebo/gradient.h"
@@ -43,6 +44,12 @@ class BondOrder {
   /// D_ij = Σ_kl (1 - cos²Θ_kijl) f f s s, [Brenner2002, eq. 18].
   [[nodiscard]] double dihedral_sum(const Pair& pair, double weight) const;
 
+  /// Σ_kl ε_kl [256/405 cos^10(ω_kijl / 2) - 1/10] f f s s, [Stuart2000, eqs. 15, 16].
+  ///
+  /// @param energies  gets a quarter of the weighted terms at each of their four atoms
+  [[nodiscard]] double torsion_sum(const Pair& pair, double weight,
+                                   std::vector<double>& energies) const;
+
  private:
   struct Conjugation {
     Coordination coordination;  ///< of `from` without `to`
@@ -62,11 +69,17 @@ class BondOrder {
                  double weight) const;
 
   struct Corner;
-  [[nodiscard]] Corner corner(const Pair& pair, std::size_t neighbor) const;
-  [[nodiscard]] double dihedral_term(const Pair& pair, const Corner& near, const Corner& far,
-                                     double weight) const;
+  struct Dihedral;
+  using Cutoff = ValueAndSlope Bond::*;  // which of the two cutoffs a term has
+  [[nodiscard]] Corner corner(const Pair& pair, std::size_t neighbor, Cutoff cutoff) const;
   void add_corner(const Pair& pair, const Corner& corner, double slope_share,
                   const Eigen::Vector3d& slope_normal) const;
+  [[nodiscard]] bool is_ring_of_three(const Pair& pair, const Bond& near, const Bond& far) const;
+  template <typename Term>
+  [[nodiscard]] double sum_over_dihedrals(const Pair& pair, double weight, Cutoff cutoff,
+                                          const Term& term) const;
+  void add_dihedral(const Pair& pair, const Dihedral& dihedral, ValueAndSlope term,
+                    double weight) const;
 
   const Bonds& bonds_;
   const Parameters& parameters_;

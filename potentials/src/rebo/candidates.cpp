@@ -27,7 +27,10 @@ using Shift = std::array<std::int16_t, 3>;
 class Candidates::Builder {
  public:
   Builder(const Atoms& atoms, double skin, Candidates& result)
-      : atoms_(atoms), grid_(atoms, longest_bond + skin), skin_(skin), result_(result) {}
+      : atoms_(atoms),
+        grid_(atoms, (longest_bond + skin) * rounding_margin),
+        skin_(skin),
+        result_(result) {}
 
   void build() {
     number_points();
@@ -52,13 +55,17 @@ class Candidates::Builder {
     for_each_chunk(grid_.points().size(), [&](std::size_t begin, std::size_t end) {
       grid_.for_each_neighbor(
           begin, end, [&](std::size_t p, std::size_t q, const auto&, double squared_distance) {
-            const std::uint32_t a = grid_.points()[p].atom;
-            const std::uint32_t b = grid_.points()[q].atom;
+            const GridPoint& from = grid_.points()[p];
+            const GridPoint& to = grid_.points()[q];
+            const std::uint32_t a = from.atom;
+            const std::uint32_t b = to.atom;
             if (squared_distance <= 0.0) throw_coincident("rebo", a, b);
             // Both parameterizations end their bonds at the same lengths.
             const double reach =
                 brenner_2002.bond(atoms_.species[a], atoms_.species[b]).cutoff.end + skin_;
-            if (squared_distance < reach * reach) visit(number_[p], number_[q]);
+            if (is_nearer(atoms_, from, to, {squared_distance, reach * reach})) {
+              visit(number_[p], number_[q]);
+            }
           });
     });
   }

@@ -8,7 +8,7 @@
 // everywhere.
 namespace trivalent::potentials::rebo_detail {
 
-/// Coefficients of REBO for carbon with three carbon neighbors.
+/// Coefficients of REBO for a regular atom: a carbon with three carbon neighbors.
 struct CleanParameters {
   double Q, A, alpha;
   double B[3];
@@ -27,6 +27,7 @@ struct CleanArguments {
   const std::uint32_t* point;    ///< per link
   const std::uint32_t* reverse;  ///< per link
   const std::uint32_t* bonded;   ///< per atom: its three bonds, see pack_bonds
+  const std::uint8_t* states;    ///< per atom, see atom_state
   const std::uint32_t* homes;    ///< of points from atom_count on
   std::uint32_t atom_count;
   double* slopes;  ///< four per link: dE/d(separation) [eV/Å] and energy due to the other end [eV]
@@ -41,7 +42,15 @@ struct CleanArguments {
   return a | b << 8 | c << 16;
 }
 
-/// Evaluates `count` clean atoms; adds to the virial (xx, yy, zz, xy, xz, yz) [eV].
+/// What is known about an atom, as bits.
+namespace atom_state {
+constexpr std::uint8_t irregular = 1;  ///< not a carbon with three carbons at full bonds
+constexpr std::uint8_t unconjugated =
+    2;  ///< irregular, or a neighbor has more than three neighbors
+constexpr std::uint8_t has_other_pi = 4;  ///< at the end of a bond from or to an unconjugated atom
+}  // namespace atom_state
+
+/// Evaluates `count` regular atoms; adds to the virial (xx, yy, zz, xy, xz, yz) [eV].
 using CleanKernel = void (*)(const CleanArguments& arguments, const std::uint32_t* atoms,
                              std::size_t count, double* virial);
 

@@ -1,16 +1,18 @@
-// The kernel for clean atoms, included once per instruction set with TRIVALENT_LANES atoms at a
+// The kernel for regular atoms, included once per instruction set with TRIVALENT_LANES atoms at a
 // time.
 //
-// An atom is clean if it and its three neighbors are carbons with three carbon neighbors each, all
-// nearer than D_min, none of whose neighbors has more than three, and no angle is nearly straight.
-// Then all cutoffs are 1 and all coordinations integers: nothing depends on them, F(2, 2, 9) = 0
-// and T(2, 2, 9) is a constant, and what is left of [Brenner2002] is
+// An atom is regular if it is a carbon with three carbon neighbors, all nearer than D_min, and no
+// angle is nearly straight. Then all its cutoffs are 1 and its coordination is an integer: nothing
+// depends on them. A bond is conjugated if this holds at both ends and no neighbor of them has more
+// than three: then F(2, 2, 9) = 0 and T(2, 2, 9) is a constant, and what is left of [Brenner2002]
+// is
 //
 //   E = Σ_i Σ_a ½ V_R(a) - ½ V_A(a) [ p_a + T D_a ],   p_a = [1 + P + Σ_{b≠a} g(cosθ_ab)]^(-1/2),
 //   D_a = Σ_kl (1 - (m_k·n_l)² / (m_k² n_l²)),
 //
 // with a, b the bonds of atom i, m_k = a × k for its other bonds k, and n_l = a × l for the other
-// bonds l of the atom at the end of a. Each atom takes the derivatives of its own p, and of D
+// bonds l of the atom at the end of a. Other bonds of regular atoms lack the term T D here;
+// GeneralAtom adds what they have instead. Each atom takes the derivatives of its own p, and of D
 // through its own normals m; the atom at the other end takes those through n. So no two atoms write
 // to the same place.
 
@@ -123,6 +125,7 @@ struct Batch {
   std::uint32_t end[3][lanes];     // points at their ends
   std::uint32_t home[3][lanes];    // atoms those points are, or are images of
   std::uint32_t beyond[6][lanes];  // points at the ends of the other bonds of those atoms, by twos
+  double T[3][lanes];              // dihedral factor; 0 if the bond is not conjugated
   bool has_images;
 };
 
@@ -137,6 +140,14 @@ TRIVALENT_INLINE void find_neighbors(const CleanArguments& a, int l, Batch& batc
     batch.link[k][l] = link;
     batch.end[k][l] = end;
     batch.home[k][l] = home;
+    const bool is_conjugated = ((a.states[atom] | a.states[home]) & atom_state::unconjugated) == 0;
+    batch.T[k][l] = is_conjugated ? a.parameters->T : 0.0;
+    if (!is_conjugated) {
+      // The other end may have any number of bonds. Two points that exist will do.
+      batch.beyond[2 * k][l] = end;
+      batch.beyond[2 * k + 1][l] = end;
+      continue;
+    }
     const std::uint32_t first = a.first[home];
     const std::uint32_t packed = a.bonded[home];
     const std::uint32_t back = a.reverse[link] - first;
@@ -220,19 +231,21 @@ TRIVALENT_INLINE void evaluate_batch(const CleanArguments& a, const Batch& batch
     const Real order = 1.0 / square_root(sum);
     sum_slope[k] = 0.25 * attracted.value * order / sum;
 
+    Real T;
+    __builtin_memcpy(&T, batch.T[k], sizeof(T));
     const Vector origin = batch.has_images ? load(a.positions, batch.home[k]) : end[k];
     Vector n[2];
     Real inverse_n2[2];
     for (int l = 0; l < 2; ++l) {
       n[l] = cross(bond[k], load(a.positions, batch.beyond[2 * k + l]) - origin);
-      inverse_n2[l] = 1.0 / dot(n[l], n[l]);
+      inverse_n2[l] = 1.0 / (T == 0.0 ? Real{} + 1.0 : dot(n[l], n[l]));
     }
     // D = 4 - Σ cos²Θ, and its factor in the energy of the bond is -V_A T.
-    const Real weight = attracted.value * p.T;
+    const Real weight = attracted.value * T;
     const Real overlap =
         overlap_of_planes(normal[u], inverse_m2[u], n, inverse_n2, weight, normal_slope[u]) +
         overlap_of_planes(normal[v], inverse_m2[v], n, inverse_n2, weight, normal_slope[v]);
-    const Real twist = p.T * (4.0 - overlap);
+    const Real twist = T * (4.0 - overlap);
 
     from_other_end[k] = -0.25 * attracted.value * order;
     energy += 0.5 * (repelled.value - attracted.value * twist) + from_other_end[k];

@@ -144,8 +144,7 @@ void Evaluator::place_images() {
 }
 
 Eigen::Vector3d Evaluator::separation(std::uint32_t atom, std::uint32_t link) const {
-  return Eigen::Vector3d::Map(&positions_[std::size_t{4} * candidates_->point[link]]) -
-         Eigen::Vector3d::Map(&positions_[std::size_t{4} * atom]);
+  return surroundings().separation(atom, link);
 }
 
 void Evaluator::classify() {
@@ -158,17 +157,18 @@ void Evaluator::classify() {
 
 void Evaluator::classify_tile(std::size_t tile) {
   irregular_[tile].clear();
+  const Surroundings in = surroundings();
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     states_[i] = 0;
-    if (is_regular(i)) continue;
-    states_[i] = atom_state::irregular | atom_state::general;
+    if (is_regular(i, in)) continue;
+    states_[i] = atom_state::irregular | atom_state::unconjugated;
     irregular_[tile].push_back(i);
     count_neighbors(i);
   }
 }
 
 // Sets bonded_ of regular atoms: carbons with three carbons at full bonds and nothing in between.
-bool Evaluator::is_regular(std::uint32_t atom) {
+bool Evaluator::is_regular(std::uint32_t atom, const Surroundings& in) {
   const Candidates& c = *candidates_;
   const Range cutoff = parameters_.bond(Species::carbon, Species::carbon).cutoff;
   const std::uint32_t first = c.first[atom];
@@ -180,7 +180,7 @@ bool Evaluator::is_regular(std::uint32_t atom) {
   std::array<std::uint32_t, 3> offsets{};
   std::size_t count = 0;
   for (std::uint32_t offset = 0; offset < links; ++offset) {
-    const Eigen::Vector3d bond = separation(atom, first + offset);
+    const Eigen::Vector3d bond = in.separation(atom, first + offset);
     const double square = bond.squaredNorm();
     if (square >= cutoff.end * cutoff.end) continue;
     if (count == 3 || square > cutoff.begin * cutoff.begin || square == 0.0) return false;
@@ -213,27 +213,27 @@ void Evaluator::count_neighbors(std::uint32_t atom) {
   coordinations_[atom] = sum;
 }
 
-// Clean atoms have regular neighbors with neighbors of at most three: so not clean are the
-// neighbors of an irregular atom and, if that one has more than three, the neighbors of its
-// neighbors.
+// An irregular atom makes the bonds of its neighbors other than conjugated and, if it has more than
+// three neighbors, those of their neighbors.
 void Evaluator::mark_around(std::uint32_t irregular) {
   const Candidates& c = *candidates_;
   const bool is_crowded = coordinations_[irregular].total() > 3.0;
   for (std::uint32_t link = c.first[irregular]; link < c.first[irregular + 1]; ++link) {
     const std::uint32_t neighbor = c.home(c.point[link]);
-    mark_general(neighbor);
+    mark(neighbor, atom_state::has_other_pi);
     if (!is_crowded) continue;
+    mark(neighbor, atom_state::unconjugated);
     for (std::uint32_t next = c.first[neighbor]; next < c.first[neighbor + 1]; ++next) {
-      mark_general(c.home(c.point[next]));
+      mark(c.home(c.point[next]), atom_state::has_other_pi);
     }
   }
 }
 
-// Several threads may mark one atom, all in the same way.
-void Evaluator::mark_general(std::uint32_t atom) {
-  std::atomic_ref state(states_[atom]);
-  if ((state.load(std::memory_order_relaxed) & atom_state::general) != 0) return;
-  state.fetch_or(atom_state::general, std::memory_order_relaxed);
+// Several threads may mark one atom; the order makes no difference.
+void Evaluator::mark(std::uint32_t atom, std::uint8_t state) {
+  std::atomic_ref known(states_[atom]);
+  if ((known.load(std::memory_order_relaxed) & state) != 0) return;
+  known.fetch_or(state, std::memory_order_relaxed);
 }
 
 CleanArguments Evaluator::clean_arguments(std::size_t tile, Scratch& scratch) const {
@@ -244,6 +244,7 @@ CleanArguments Evaluator::clean_arguments(std::size_t tile, Scratch& scratch) co
           .point = c.point.data(),
           .reverse = c.reverse.data(),
           .bonded = bonded_.get(),
+          .states = states_.get(),
           .homes = image_homes_.data(),
           .atom_count = static_cast<std::uint32_t>(c.count()),
           .slopes = scratch.slopes.data(),
@@ -275,43 +276,39 @@ Totals Evaluator::evaluate_tile(std::size_t tile) {
   Scratch scratch;
   scratch.energies.resize(c.tiles[tile + 1] - c.tiles[tile]);
   scratch.slopes.resize(std::size_t{4} * (c.first[c.tiles[tile + 1]] - c.first[c.tiles[tile]]));
-  sort_atoms(tile, scratch);
-  std::array<double, 6> virial{};
-  clean_kernel_(clean_arguments(tile, scratch), scratch.clean.data(), scratch.clean.size(),
-                virial.data());
-  const auto [xx, yy, zz, xy, xz, yz] = virial;
-  Eigen::Matrix3d upper;
-  upper << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;
-
+  const Eigen::Matrix3d of_regular = evaluate_regular(tile, scratch);
   const Eigen::Matrix3d of_general = evaluate_general(tile, scratch);
   Totals totals = gather(tile, scratch);
-  totals.virial = upper + of_general;
+  totals.virial = of_regular + of_general;
   export_crossings(tile, scratch);
   return totals;
 }
 
-void Evaluator::sort_atoms(std::size_t tile, Scratch& scratch) const {
+// Returns what they add to the upper half of the virial.
+Eigen::Matrix3d Evaluator::evaluate_regular(std::size_t tile, Scratch& scratch) const {
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
-    const bool is_general = (states_[i] & atom_state::general) != 0;
-    (is_general ? scratch.general : scratch.clean).push_back(i);
+    if ((states_[i] & atom_state::irregular) == 0) scratch.regular.push_back(i);
   }
+  std::array<double, 6> virial{};
+  clean_kernel_(clean_arguments(tile, scratch), scratch.regular.data(), scratch.regular.size(),
+                virial.data());
+  const auto [xx, yy, zz, xy, xz, yz] = virial;
+  Eigen::Matrix3d upper;
+  upper << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;
+  return upper;
 }
 
-// Returns what they add to the virial.
+// After the regular ones, to some of which it adds; returns what that adds to the virial.
 Eigen::Matrix3d Evaluator::evaluate_general(std::size_t tile, Scratch& scratch) const {
-  const Candidates& c = *candidates_;
-  const std::uint32_t first_link = c.first[c.tiles[tile]];
-  Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
   GeneralAtom general(surroundings(), slopes(tile, scratch));
-  for (const std::uint32_t i : scratch.general) {
-    general.evaluate(i);
-    for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
-      const Eigen::Vector3d slope =
-          Eigen::Vector3d::Map(&scratch.slopes[std::size_t{4} * (link - first_link)]);
-      virial -= slope * separation(i, link).transpose();
+  for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
+    if ((states_[i] & atom_state::irregular) != 0) {
+      general.evaluate(i);
+    } else if ((states_[i] & atom_state::has_other_pi) != 0) {
+      general.add_other_pi(i);
     }
   }
-  return virial;
+  return general.virial();
 }
 
 // Forces and energies from the links within the tile; returns the energy, which needs no others.
@@ -358,7 +355,7 @@ void Evaluator::import_crossings(std::size_t tile) {
   }
 }
 
-// All neighbors of an irregular atom are general and have written their share.
+// All neighbors of an irregular atom have other π and have written their share.
 void Evaluator::add_coordination_slopes_of_neighbors(std::size_t tile) {
   const Candidates& c = *candidates_;
   for (const std::uint32_t i : irregular_[tile]) {

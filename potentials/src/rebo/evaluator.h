@@ -33,8 +33,7 @@ class Evaluator {
  private:
   // What is kept of a tile only while it is evaluated.
   struct Scratch {
-    std::vector<std::uint32_t> clean;
-    std::vector<std::uint32_t> general;
+    std::vector<std::uint32_t> regular;
     std::vector<double> energies;  // per atom, own share
     std::vector<double> slopes;    // four per link
   };
@@ -46,13 +45,13 @@ class Evaluator {
 
   void classify();
   void classify_tile(std::size_t tile);
-  [[nodiscard]] bool is_regular(std::uint32_t atom);
+  [[nodiscard]] bool is_regular(std::uint32_t atom, const Surroundings& in);
   void count_neighbors(std::uint32_t atom);
   void mark_around(std::uint32_t irregular);
-  void mark_general(std::uint32_t atom);
+  void mark(std::uint32_t atom, std::uint8_t state);
 
   [[nodiscard]] Totals evaluate_tile(std::size_t tile);
-  void sort_atoms(std::size_t tile, Scratch& scratch) const;
+  [[nodiscard]] Eigen::Matrix3d evaluate_regular(std::size_t tile, Scratch& scratch) const;
   [[nodiscard]] Eigen::Matrix3d evaluate_general(std::size_t tile, Scratch& scratch) const;
   [[nodiscard]] Totals gather(std::size_t tile, const Scratch& scratch);
   void export_crossings(std::size_t tile, const Scratch& scratch);

@@ -21,11 +21,10 @@ void GeneralAtom::load(std::uint32_t atom, Center& center) const {
   center.coordination = in_.coordination(atom);
   center.conjugation = 0.0;
   center.neighbors.clear();
-  const Eigen::Vector3d position = in_.position(atom);
   for (std::uint32_t link = c.first[atom]; link < c.first[atom + 1]; ++link) {
     const std::uint32_t other = c.home(c.point[link]);
     const BondParameters& bond = in_.parameters.bond(center.species, c.species[other]);
-    const Eigen::Vector3d separation = in_.position(c.point[link]) - position;
+    const Eigen::Vector3d separation = in_.separation(atom, link);
     const double r = separation.norm();
     if (r >= bond.cutoff.end) continue;
     Neighbor neighbor = {.link = link,
@@ -53,13 +52,38 @@ void GeneralAtom::load(std::uint32_t atom, Center& center) const {
   }
 }
 
-void GeneralAtom::evaluate(std::uint32_t atom) {
+void GeneralAtom::start(std::uint32_t atom) {
   load(atom, near_);
   energy_ = 0.0;
   slope_coordination_ = {};
   due_.assign(near_.neighbors.size(), 0.0);
+}
+
+void GeneralAtom::evaluate(std::uint32_t atom) {
+  start(atom);
   for (std::size_t j = 0; j < near_.neighbors.size(); ++j) evaluate_bond(j);
+  clear_links();
+  out_.energies[atom - out_.first_atom] = 0.0;
   write();
+}
+
+void GeneralAtom::add_other_pi(std::uint32_t atom) {
+  start(atom);
+  for (std::size_t j = 0; j < near_.neighbors.size(); ++j) {
+    const std::uint8_t states = in_.states[atom] | in_.states[near_.neighbors[j].atom];
+    if ((states & atom_state::unconjugated) != 0) evaluate_pi(j);
+  }
+  write();
+}
+
+void GeneralAtom::evaluate_pi(std::size_t j) {
+  Neighbor& bond = near_.neighbors[j];
+  const ValueAndSlope attracted =
+      attraction(bond.r, in_.parameters.bond(near_.species, bond.species));
+  double pi = 0.0;
+  add_pi(j, -attracted.value, pi);
+  energy_ -= 0.5 * attracted.value * pi;
+  bond.slope -= 0.5 * attracted.slope * pi * bond.direction;
 }
 
 // The half of the bond's energy that belongs to this atom, and the derivatives it is in charge of.
@@ -240,23 +264,30 @@ double GeneralAtom::add_dihedral(std::size_t j, std::size_t back, double weight)
   return sum;
 }
 
+void GeneralAtom::clear_links() const {
+  const Candidates& c = in_.candidates;
+  const std::size_t first = c.first[near_.atom] - out_.first_link;
+  const std::size_t end = c.first[near_.atom + 1] - out_.first_link;
+  std::fill(out_.links + 4 * first, out_.links + 4 * end, 0.0);
+}
+
+// Adds to what the links have; what is kept for irregular neighbors is the atom's own business.
 void GeneralAtom::write() {
   const Candidates& c = in_.candidates;
-  const std::uint32_t first = c.first[near_.atom];
-  const std::uint32_t end = c.first[near_.atom + 1];
-  const auto slope_of = [&](std::uint32_t link) {
-    return Eigen::Vector4d::Map(out_.links + std::size_t{4} * (link - out_.first_link));
-  };
-  for (std::uint32_t link = first; link < end; ++link) slope_of(link).setZero();
-  std::fill(out_.cutoffs + first, out_.cutoffs + end, 0.0);
-  std::fill(out_.others + first, out_.others + end, 0.0);
+  for (std::uint32_t link = c.first[near_.atom]; link < c.first[near_.atom + 1]; ++link) {
+    out_.cutoffs[link] = 0.0;
+    out_.others[link] = 0.0;
+  }
   for (std::size_t k = 0; k < near_.neighbors.size(); ++k) {
     const Neighbor& neighbor = near_.neighbors[k];
-    slope_of(neighbor.link) << neighbor.slope, due_[k];
+    const std::size_t link = neighbor.link - out_.first_link;
+    Eigen::Vector3d::Map(out_.links + 4 * link) += neighbor.slope;
+    out_.links[4 * link + 3] += due_[k];
+    virial_ -= neighbor.slope * neighbor.separation.transpose();
     out_.cutoffs[neighbor.link] = neighbor.slope_f;
     out_.others[neighbor.link] = neighbor.slope_X;
   }
-  out_.energies[near_.atom - out_.first_atom] = energy_;
+  out_.energies[near_.atom - out_.first_atom] += energy_;
   out_.coordination[near_.atom] = slope_coordination_;
 }
 

@@ -7,6 +7,7 @@
 
 #include "rebo/bonds.h"
 #include "rebo/candidates.h"
+#include "rebo/clean_kernel.h"
 #include "rebo/parameters.h"
 
 namespace trivalent::potentials::rebo_detail {
@@ -22,14 +23,20 @@ struct Surroundings {
   [[nodiscard]] Eigen::Vector3d position(std::uint32_t point) const {
     return Eigen::Vector3d::Map(positions + std::size_t{4} * point);
   }
+  /// From the atom to the end of its link [Å]; exactly the opposite from the other end, so that
+  /// both always agree on whether there is a bond.
+  [[nodiscard]] Eigen::Vector3d separation(std::uint32_t atom, std::uint32_t link) const;
   [[nodiscard]] Coordination coordination(std::uint32_t atom) const;
 };
 
-/// What is known about an atom, as bits.
-namespace atom_state {
-constexpr std::uint8_t irregular = 1;  ///< not a carbon with three carbons at full bonds
-constexpr std::uint8_t general = 2;    ///< needs the evaluation by GeneralAtom
-}  // namespace atom_state
+inline Eigen::Vector3d Surroundings::separation(std::uint32_t atom, std::uint32_t link) const {
+  const std::uint32_t point = candidates.point[link];
+  if (point < candidates.count()) return position(point) - position(atom);
+  // Images are rounded: the difference to an image is taken from the same end always.
+  const std::uint32_t back = candidates.reverse[link];
+  if (link < back) return position(point) - position(atom);
+  return position(candidates.home(point)) - position(candidates.point[back]);
+}
 
 /// What evaluating an atom writes: only at the atom itself and at its own links.
 struct Slopes {
@@ -54,6 +61,12 @@ class GeneralAtom {
 
   /// Writes everything in Slopes for one atom.
   void evaluate(std::uint32_t atom);
+
+  /// Adds to a regular atom what the kernel leaves out: π and T D of bonds that are not conjugated.
+  void add_other_pi(std::uint32_t atom);
+
+  /// What the slopes of all atoms up to now add to the virial [eV]; symmetric only over all atoms.
+  [[nodiscard]] const Eigen::Matrix3d& virial() const { return virial_; }
 
  private:
   struct Neighbor {
@@ -90,13 +103,16 @@ class GeneralAtom {
   };
 
   void load(std::uint32_t atom, Center& center) const;
+  void start(std::uint32_t atom);
   void evaluate_bond(std::size_t j);
+  void evaluate_pi(std::size_t j);
   [[nodiscard]] double add_sigma(std::size_t j, double attracted);
   void add_pi(std::size_t j, double weight, double& order);
   [[nodiscard]] double add_dihedral(std::size_t j, std::size_t back, double weight);
   void add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope);
   void add_coordination_without(std::size_t j, Coordination slope);
   void find_planes(const Center& center, std::size_t axis, std::vector<Plane>& planes) const;
+  void clear_links() const;
   void write();
 
   Surroundings in_;
@@ -104,6 +120,7 @@ class GeneralAtom {
   Center near_;
   Center far_;
   double energy_ = 0.0;
+  Eigen::Matrix3d virial_ = Eigen::Matrix3d::Zero();
   Coordination slope_coordination_;
   std::vector<double> due_;  // per neighbor: energy for the atom at the other end
   std::vector<Plane> near_planes_;

@@ -53,6 +53,20 @@ extern const Parameters brenner_2002;
 /// Bonded part of [Stuart2000], as LAMMPS `pair_style airebo` has it.
 extern const Parameters stuart_2000;
 
+/// Constants between two elements that are not bonded [Stuart2000, Tables 2, 3].
+struct NonbondedParameters {
+  double epsilon;    ///< [eV]
+  double sigma;      ///< [Å]
+  Range approach;    ///< where Lennard-Jones depends on the bond order the two would have [Å]
+  Range bond_order;  ///< where that bond order turns it off
+  double torsion;    ///< depth of the torsion between ends of these elements [eV]
+};
+
+/// CC, CH, HH.
+extern const std::array<NonbondedParameters, 3> nonbonded_2000;
+/// Lennard-Jones energies are switched off here, in units of σ (LAMMPS).
+constexpr Range nonbonded_end = {2.16, 3.0};
+
 /// Longest cutoff of all bonds [Å].
 constexpr double longest_bond = 2.0;
 

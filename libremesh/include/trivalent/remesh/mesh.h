@@ -30,6 +30,9 @@ using EdgeHandle = OpenMesh::EdgeHandle;
 using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 using FaceHandle = OpenMesh::FaceHandle;
 
+/// Position of a vertex in arrays with one entry per vertex.
+[[nodiscard]] inline std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
+
 /// Builds a half-edge mesh from points and triangles (indices into points, counter-clockwise seen
 /// from outside). Points that no triangle uses stay as isolated vertices.
 ///

@@ -21,10 +21,9 @@ struct MeshFile {
 /// noted. A count that the file declares is held against its size before memory is taken for it.
 ///
 /// @throws FileError   if the file is missing, unreadable, of an unknown kind, cut short, malformed
-/// or
-///   without faces; the message names the line, byte or element.
+///   or without faces; the message names the line, byte or element.
 /// @throws InvalidMesh if the faces do not form an oriented 2-manifold; the message names the
-/// element.
+///   element, and repair() may help.
 ///
 /// Cost: O(n) for n bytes; a million faces in OFF take about a second.
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);

@@ -30,8 +30,7 @@ struct MeshQuality {
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices; 0 if none
   double smallest_angle = 0.0;    ///< [rad]
   double largest_angle = 0.0;     ///< [rad]
-  int self_intersections =
-      0;  ///< pairs of faces that meet elsewhere than in shared vertices or edges
+  int self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share
 };
 
 /// Measures a mesh. Cost: O(n log n) for n faces, dominated by the intersection test.

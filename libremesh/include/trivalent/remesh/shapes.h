@@ -20,8 +20,8 @@ struct ShapeDescription {
   std::vector<ShapeParameter> parameters;
 };
 
-/// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube,
-/// wavy-sheet.
+/// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube and
+/// wavy-sheet, in this order.
 [[nodiscard]] const std::vector<ShapeDescription>& built_in_shapes();
 
 /// A value for one of a shape's parameters.

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivalent/remesh/polygon_soup.h"
+
+namespace trivalent::remesh {
+
+/// How far repair() may go.
+enum class RepairMethod {
+  none,  ///< not at all: what make_mesh() refuses is refused
+  safe,  ///< connect, orient and clean what is there; the shape stays
+  wrap,  ///< a new closed surface around everything, a small offset outside it
+};
+
+enum class HolePolicy { keep, fill };
+enum class ComponentPolicy { keep_all, keep_largest };
+
+struct RepairOptions {
+  RepairMethod method = RepairMethod::safe;
+  HolePolicy holes = HolePolicy::keep;                     ///< for RepairMethod::safe
+  ComponentPolicy components = ComponentPolicy::keep_all;  ///< the largest by area
+  /// Size of the holes and gaps that a wrap closes and of the detail it loses, in the mesh's unit,
+  /// > 0; none: 1/100 of the bounding box's diagonal.
+  std::optional<double> wrap_alpha = std::nullopt;
+  /// Distance from the input to the wrap, in the mesh's unit, > 0; none: 1/30 of alpha.
+  std::optional<double> wrap_offset = std::nullopt;
+};
+
+/// A sound surface and all that was done for it.
+struct RepairResult {
+  TriMesh mesh;
+  std::vector<std::string> notes;  ///< those of the soup, and one sentence per kind of change
+  double offset = 0.0;             ///< of a wrap, in the mesh's unit; 0 otherwise
+};
+
+/// Turns triangles into an oriented 2-manifold.
+///
+/// RepairMethod::safe, in this order: joins coincident points where edges lack a second face; drops
+/// repeated faces; turns faces so that neighbors agree; separates surfaces that meet in an edge of
+/// more than two faces (faces that enclose a wedge of the inside stay together) or in a vertex;
+/// removes flat faces by flips and collapses; drops isolated points; turns closed components that
+/// are inside out. RepairMethod::wrap is CGAL's alpha wrapping [Portaneri2022]; it also takes
+/// points without any faces.
+///
+/// @throws InvalidMesh   if nothing sound results; the message says what to try.
+/// @throws InvalidOption if a wrap length is out of its range.
+///
+/// Cost: O(n log n) for n faces, a wrap O((size/alpha)²) or more.
+[[nodiscard]] RepairResult repair(const TriangleSoup& soup, const RepairOptions& options = {});
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,173 @@
+#include "trivalent/remesh/mesh_diagnosis.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "edge_table.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+constexpr std::size_t most_places = 5;
+
+class Diagnosis {
+ public:
+  explicit Diagnosis(const TriangleSoup& soup) : soup_(soup) {}
+
+  MeshDiagnosis run() {
+    result_.points = static_cast<int>(soup_.points.size());
+    result_.faces = static_cast<int>(soup_.triangles.size());
+    check_points();
+    check_faces();
+    check_edges();
+    for (auto& [problem, finding] : findings_) result_.findings.push_back(std::move(finding));
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const Eigen::Vector3d& point(int v) const {
+    return soup_.points[static_cast<std::size_t>(v)];
+  }
+
+  void report(Problem problem, std::vector<int> elements, int first_point) {
+    Finding& finding = findings_[problem];
+    finding.problem = problem;
+    ++finding.count;
+    if (finding.first.size() < most_places) {
+      finding.first.push_back({std::move(elements), point(first_point)});
+    }
+  }
+
+  void check_points() {
+    std::vector<char> is_used(soup_.points.size(), 0);
+    for (const auto& triangle : soup_.triangles) {
+      for (const int v : triangle) is_used[static_cast<std::size_t>(v)] = 1;
+    }
+    for (std::size_t v = 0; v < is_used.size(); ++v) {
+      const int index = static_cast<int>(v);
+      if (is_used[v] == 0) report(Problem::isolated_point, {index}, index);
+    }
+    // The earliest of every group of equal points leads it.
+    std::vector<int> order(soup_.points.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](int v) { return std::array{point(v).x(), point(v).y(), point(v).z()}; };
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+    std::vector<int> coincident;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (point(order[i]) == point(order[i - 1])) coincident.push_back(order[i]);
+    }
+    std::sort(coincident.begin(), coincident.end());
+    for (const int v : coincident) report(Problem::coincident_point, {v}, v);
+  }
+
+  void check_faces() {
+    std::vector<std::pair<std::array<int, 3>, int>> by_corners;
+    by_corners.reserve(soup_.triangles.size());
+    for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
+      const int index = static_cast<int>(f);
+      std::array<int, 3> corners = soup_.triangles[f];
+      const auto [a, b, c] = corners;
+      if ((point(b) - point(a)).cross(point(c) - point(a)).isZero(0.0)) {
+        report(Problem::flat_face, {index}, a);
+      }
+      std::sort(corners.begin(), corners.end());
+      by_corners.emplace_back(corners, index);
+    }
+    std::sort(by_corners.begin(), by_corners.end());
+    std::vector<int> repeated;
+    for (std::size_t i = 1; i < by_corners.size(); ++i) {
+      if (by_corners[i].first == by_corners[i - 1].first) repeated.push_back(by_corners[i].second);
+    }
+    std::sort(repeated.begin(), repeated.end());
+    for (const int f : repeated) {
+      report(Problem::repeated_face, {f}, soup_.triangles[static_cast<std::size_t>(f)][0]);
+    }
+  }
+
+  void check_edges() {
+    const std::vector<EdgeUse> uses = edge_uses(soup_.triangles);
+    DisjointSets components(soup_.triangles.size());
+    // Corners (3 f + k) of one vertex that are joined by edges of two faces form a fan.
+    DisjointSets fans(3 * soup_.triangles.size());
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+      const EdgeUse& use = edge.front();
+      for (const EdgeUse& other : edge) {
+        components.join(static_cast<std::size_t>(use.face), static_cast<std::size_t>(other.face));
+      }
+      if (edge.size() == 1) ++result_.boundary_edges;
+      if (edge.size() > 2) report(Problem::crowded_edge, {use.low, use.high}, use.low);
+      if (edge.size() != 2) return;
+      if (edge[0].upwards == edge[1].upwards) {
+        report(Problem::misoriented_edge, {use.low, use.high}, use.low);
+      }
+      for (const int v : {use.low, use.high}) {
+        fans.join(corner_of(edge[0].face, v), corner_of(edge[1].face, v));
+      }
+    });
+    for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
+      if (components.find(f) == f) ++result_.components;
+    }
+    check_vertices(fans);
+  }
+
+  [[nodiscard]] std::size_t corner_of(int face, int v) const {
+    const auto& corners = soup_.triangles[static_cast<std::size_t>(face)];
+    const auto k = std::find(corners.begin(), corners.end(), v) - corners.begin();
+    return 3 * static_cast<std::size_t>(face) + static_cast<std::size_t>(k);
+  }
+
+  void check_vertices(DisjointSets& fans) {
+    std::vector<int> fans_at(soup_.points.size(), 0);
+    for (std::size_t corner = 0; corner < 3 * soup_.triangles.size(); ++corner) {
+      if (fans.find(corner) != corner) continue;
+      ++fans_at[static_cast<std::size_t>(soup_.triangles[corner / 3][corner % 3])];
+    }
+    for (std::size_t v = 0; v < fans_at.size(); ++v) {
+      const int index = static_cast<int>(v);
+      if (fans_at[v] > 1) report(Problem::pinched_vertex, {index}, index);
+    }
+  }
+
+  const TriangleSoup& soup_;
+  MeshDiagnosis result_;
+  std::map<Problem, Finding> findings_;
+};
+
+}  // namespace
+
+std::string_view name_of(Problem problem) {
+  switch (problem) {
+    case Problem::isolated_point:
+      return "isolated point";
+    case Problem::coincident_point:
+      return "coincident point";
+    case Problem::repeated_face:
+      return "repeated face";
+    case Problem::flat_face:
+      return "flat face";
+    case Problem::crowded_edge:
+      return "edge of more than two faces";
+    case Problem::misoriented_edge:
+      return "misoriented edge";
+    case Problem::pinched_vertex:
+      return "pinched vertex";
+  }
+  return {};
+}
+
+bool MeshDiagnosis::is_oriented_manifold() const {
+  return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.problem == Problem::crowded_edge ||
+           finding.problem == Problem::misoriented_edge ||
+           finding.problem == Problem::pinched_vertex;
+  });
+}
+
+MeshDiagnosis diagnose(const TriangleSoup& soup) { return Diagnosis(soup).run(); }
+
+}  // namespace trivalent::remesh

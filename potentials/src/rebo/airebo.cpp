@@ -1,0 +1,198 @@
+#include "trivalent/potentials/airebo.h"
+
+#include <cmath>
+
+#include "cell_grid.h"
+#include "parallel.h"
+#include "rebo/bond_order.h"
+#include "rebo/bonds.h"
+#include "rebo/cutoff.h"
+#include "rebo/evaluator.h"
+#include "rebo/gradient.h"
+#include "rebo/screening.h"
+#include "totals.h"
+#include "trivalent/potentials/neighbor_list.h"
+#include "validation.h"
+
+namespace trivalent::potentials {
+
+namespace {
+
+using namespace rebo_detail;  // NOLINT(google-build-using-namespace): the parts of this potential
+
+[[nodiscard]] const NonbondedParameters& nonbonded(Species a, Species b) {
+  return nonbonded_2000[static_cast<std::size_t>(a) + static_cast<std::size_t>(b)];
+}
+
+// 4ε[(σ/r)^12 - (σ/r)^6], switched off smoothly before 3σ.
+[[nodiscard]] ValueAndSlope lennard_jones_energy(double r, const NonbondedParameters& p) {
+  const double inverse = p.sigma / r;
+  const double sixth = inverse * inverse * inverse * inverse * inverse * inverse;
+  const ValueAndSlope full = {4.0 * p.epsilon * sixth * (sixth - 1.0),
+                              -24.0 * p.epsilon * sixth * (2.0 * sixth - 1.0) / r};
+  const Range end = {nonbonded_end.begin * p.sigma, nonbonded_end.end * p.sigma};
+  if (r <= end.begin) return full;
+  const ValueAndSlope rise = cubic_rise(r, end);
+  return {full.value * (1.0 - rise.value),
+          full.slope * (1.0 - rise.value) - full.value * rise.slope};
+}
+
+void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double energy) {
+  result.energy += energy;
+  result.energies[i] += 0.5 * energy;
+  result.energies[j] += 0.5 * energy;
+}
+
+// Pairs too far apart for any path of bonds: Lennard-Jones and nothing else.
+void add_far_pairs(const Atoms& atoms, EnergyForces& result) {
+  const CellGrid grid(atoms, nonbonded_end.end * nonbonded_2000[0].sigma);
+  const auto sum_chunk = [&](std::size_t begin, std::size_t end) {
+    Totals sum;
+    grid.for_each_neighbor(
+        begin, end,
+        [&](std::size_t p, std::size_t q, const Eigen::Vector3d& separation, double r2) {
+          const GridPoint& from = grid.points()[p];
+          const GridPoint& to = grid.points()[q];
+          if (is_nearer(atoms, from, to, {r2, longest_path * longest_path})) return;
+          const double r = std::sqrt(r2);
+          const ValueAndSlope pair =
+              lennard_jones_energy(r, nonbonded(atoms.species[from.atom], atoms.species[to.atom]));
+          const Eigen::Vector3d force = pair.slope / r * separation;
+          result.energies[from.atom] += 0.5 * pair.value;
+          result.forces[from.atom] += force;
+          sum.energy += 0.5 * pair.value;
+          sum.virial -= 0.5 * force * separation.transpose();
+        });
+    return sum;
+  };
+  const auto totals = sum_over_chunks<Totals>(grid.points().size(), sum_chunk);
+  result.energy += totals.energy;
+  result.virial += totals.virial;
+}
+
+// Pairs that bonds may connect or that may become bonds themselves.
+class NearPairs {
+ public:
+  NearPairs(const Bonds& bonds, Gradient& gradient, EnergyForces& result)
+      : bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
+
+  void add_pairs_of(std::uint32_t atom, std::span<const Neighbor> neighbors) {
+    paths_.start_from(atom);
+    for (const Neighbor& neighbor : neighbors) {
+      if (is_first_of_pair(atom, neighbor)) add_pair_with(atom, neighbor);
+    }
+  }
+
+ private:
+  // Once a pair, not once from each end.
+  [[nodiscard]] static bool is_first_of_pair(std::uint32_t atom, const Neighbor& neighbor) {
+    if (neighbor.atom != atom) return neighbor.atom > atom;
+    return neighbor.image > std::array<std::int32_t, 3>{0, 0, 0};
+  }
+
+  // How much of the energy is there by the bond order the two would have, [Stuart2000, eq. 9].
+  struct Approach {
+    double share;
+    double slope_distance;
+    double slope_bond_order;
+  };
+
+  [[nodiscard]] Approach approach(const Pair& pair, const NonbondedParameters& p) const {
+    const ValueAndSlope far = cubic_rise(pair.distance, p.approach);
+    if (far.value == 1.0) return {1.0, 0.0, 0.0};
+    const double order = BondOrder(bonds_, stuart_2000, nullptr).bond_order(pair, 0.0);
+    const ValueAndSlope bonded = cubic_rise(order, p.bond_order);
+    // S(t_r) S(t_b) + 1 - S(t_r) with S = 1 - rise.
+    return {1.0 - (1.0 - far.value) * bonded.value, far.slope * bonded.value,
+            -(1.0 - far.value) * bonded.slope};
+  }
+
+  void add_pair_with(std::uint32_t atom, const Neighbor& neighbor) {
+    const Path* path = paths_.to(neighbor.atom, neighbor.image);
+    const double strength = path == nullptr ? 0.0 : path->strength;
+    if (strength >= 1.0) return;
+    const Species a = bonds_.species(atom);
+    const Species b = bonds_.species(neighbor.atom);
+    const Pair pair = {.from = atom,
+                       .to = neighbor.atom,
+                       .image = neighbor.image,
+                       .separation = neighbor.separation,
+                       .distance = neighbor.distance,
+                       .as_if = stuart_2000.bond(a, b).cutoff.begin,
+                       .bond = bond_between(atom, neighbor)};
+    const ValueAndSlope energy = lennard_jones_energy(pair.distance, nonbonded(a, b));
+    const Approach approached = approach(pair, nonbonded(a, b));
+    const double free = 1.0 - strength;
+    add_pair(result_, atom, neighbor.atom, free * energy.value * approached.share);
+
+    const double slope =
+        free * (energy.slope * approached.share + energy.value * approached.slope_distance);
+    gradient_.add_separation(pair.from, pair.to, pair.separation,
+                             slope / pair.distance * pair.separation);
+    const double slope_order = free * energy.value * approached.slope_bond_order;
+    if (slope_order != 0.0) {
+      (void)BondOrder(bonds_, stuart_2000, &gradient_).bond_order(pair, slope_order);
+    }
+    if (path != nullptr) add_slopes_of_path(*path, -energy.value * approached.share);
+  }
+
+  void add_slopes_of_path(const Path& path, double weight) {
+    for (std::size_t k = 0; k < path.length; ++k) {
+      const std::size_t bond = path.bonds[k];
+      gradient_.add_cutoff(bond, weight * path.strength / bonds_[bond].cutoff.value);
+    }
+  }
+
+  [[nodiscard]] std::optional<std::size_t> bond_between(std::uint32_t atom,
+                                                        const Neighbor& neighbor) const {
+    for (const std::size_t b : bonds_.from(atom)) {
+      if (bonds_[b].to == neighbor.atom && bonds_[b].image == neighbor.image) return b;
+    }
+    return std::nullopt;
+  }
+
+  const Bonds& bonds_;
+  Gradient& gradient_;
+  EnergyForces& result_;
+  Paths paths_;
+};
+
+void add_lennard_jones(const Atoms& atoms, const Bonds& bonds, EnergyForces& result) {
+  Gradient gradient(bonds, result);
+  NearPairs pairs(bonds, gradient, result);
+  const NeighborList neighbors(atoms, longest_path);
+  for (std::uint32_t i = 0; i < atoms.size(); ++i) pairs.add_pairs_of(i, neighbors[i]);
+  gradient.finish();
+  add_far_pairs(atoms, result);
+}
+
+void add_torsion(const Bonds& bonds, EnergyForces& result) {
+  Gradient gradient(bonds, result);
+  const BondOrder orders(bonds, stuart_2000, &gradient);
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const Bond& bond = bonds[b];
+    if (bond.reverse < b) continue;  // once a bond, not once a direction
+    if (bonds.species(bond.from) != Species::carbon) continue;
+    if (bonds.species(bond.to) != Species::carbon) continue;
+    const double sum = orders.torsion_sum(pair_of(bonds, b), bond.cutoff.value, result.energies);
+    gradient.add_cutoff(b, sum);
+    result.energy += sum * bond.cutoff.value;
+  }
+  gradient.finish();
+}
+
+}  // namespace
+
+EnergyForces airebo(const Atoms& atoms, const AireboOptions& options) {
+  require_valid(atoms, "airebo");
+  Evaluator evaluator(stuart_2000, 0.0);
+  (void)evaluator.evaluate(atoms);
+  EnergyForces result = std::move(evaluator).take_result();
+  if (!options.lennard_jones && !options.torsion) return result;
+  const Bonds bonds(atoms, stuart_2000);
+  if (options.lennard_jones) add_lennard_jones(atoms, bonds, result);
+  if (options.torsion) add_torsion(bonds, result);
+  return result;
+}
+
+}  // namespace trivalent::potentials

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Installs what building, testing and checking need: Debian 12 packages, as root or with sudo.
+# Says nothing when nothing is missing.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache git
+  libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev
+  libboost-program-options-dev nlohmann-json3-dev
+  libgtest-dev libbenchmark-dev
+  libcgal-demo              # real meshes for the tests
+  lammps lammps-data        # the reference for energies
+  python3 python3-ase python3-numpy  # reads our files back in the tests
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [[ $status == 'install ok installed' ]] || missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+as_root=()
+if [[ $EUID -ne 0 ]]; then
+  command -v sudo >/dev/null || {
+    echo "install_deps.sh: these packages are missing: ${missing[*]}; install them as root" >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+echo "installing: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+# A slim system leaves /usr/share/doc out, where the meshes of libcgal-demo live.
+keep_meshes=(-o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-demo/*')
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${keep_meshes[@]}" "${missing[@]}" >/dev/null

@@ -1,0 +1,130 @@
+#include "trivalent/remesh/mesh_diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "mesh_fixtures.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+namespace {
+
+using testing_support::tetrahedron;
+using testing_support::triangular_sheet;
+
+TriangleSoup soup_of(const TriMesh& mesh) {
+  TriangleSoup soup{{}, triangles_of(mesh), {}};
+  for (const auto v : mesh.vertices()) soup.points.push_back(mesh.point(v));
+  return soup;
+}
+
+/// The only finding, if it is of the kind and count expected.
+Place only_place(const MeshDiagnosis& diagnosis, Problem problem, std::size_t count = 1) {
+  EXPECT_EQ(diagnosis.findings.size(), 1u);
+  if (diagnosis.findings.empty()) return {};
+  EXPECT_EQ(diagnosis.findings[0].problem, problem) << name_of(diagnosis.findings[0].problem);
+  EXPECT_EQ(diagnosis.findings[0].count, count);
+  return diagnosis.findings[0].first.front();
+}
+
+TEST(Diagnose, FindsNothingWrongWithSoundMeshes) {
+  const MeshDiagnosis closed = diagnose(soup_of(tetrahedron()));
+  EXPECT_TRUE(closed.findings.empty());
+  EXPECT_TRUE(closed.is_oriented_manifold());
+  EXPECT_EQ(closed.components, 1);
+  EXPECT_EQ(closed.boundary_edges, 0);
+  const MeshDiagnosis open = diagnose(soup_of(triangular_sheet(3, 2)));
+  EXPECT_TRUE(open.findings.empty());
+  EXPECT_EQ(open.points, 12);
+  EXPECT_EQ(open.faces, 12);
+  EXPECT_EQ(open.boundary_edges, 10);
+}
+
+TEST(Diagnose, FindsIsolatedPoints) {
+  TriangleSoup soup = soup_of(tetrahedron());
+  soup.points.emplace_back(7, 8, 9);
+  const Place place = only_place(diagnose(soup), Problem::isolated_point);
+  EXPECT_EQ(place.elements, std::vector{4});
+  EXPECT_EQ(place.position, Eigen::Vector3d(7, 8, 9));
+}
+
+TEST(Diagnose, FindsCoincidentPoints) {
+  // Two triangles that touch along an edge without sharing its points.
+  const TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                          {{0, 1, 2}, {3, 4, 5}},
+                          {}};
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(only_place(diagnosis, Problem::coincident_point, 2).elements, std::vector{3});
+  EXPECT_EQ(diagnosis.components, 2);
+}
+
+TEST(Diagnose, FindsRepeatedFaces) {
+  TriangleSoup soup = soup_of(triangular_sheet(1, 1));
+  soup.triangles.push_back({soup.triangles[0][1], soup.triangles[0][0], soup.triangles[0][2]});
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  ASSERT_FALSE(diagnosis.findings.empty());
+  EXPECT_EQ(diagnosis.findings[0].problem, Problem::repeated_face);
+  EXPECT_EQ(diagnosis.findings[0].first[0].elements, std::vector{2});
+}
+
+TEST(Diagnose, FindsFlatFaces) {
+  const TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {}};
+  EXPECT_EQ(only_place(diagnose(soup), Problem::flat_face).elements, std::vector{0});
+}
+
+TEST(Diagnose, FindsCrowdedEdges) {
+  const TriangleSoup soup{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}},
+                          {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}},
+                          {}};
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(diagnosis.findings.front().problem, Problem::crowded_edge);
+  EXPECT_EQ(diagnosis.findings.front().first[0].elements, (std::vector{0, 1}));
+  EXPECT_FALSE(diagnosis.is_oriented_manifold());
+  EXPECT_EQ(diagnosis.components, 1);
+}
+
+TEST(Diagnose, FindsMisorientedEdges) {
+  TriangleSoup soup = soup_of(tetrahedron());
+  std::swap(soup.triangles[2][0], soup.triangles[2][1]);
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(only_place(diagnosis, Problem::misoriented_edge, 3).elements, (std::vector{0, 2}));
+  EXPECT_FALSE(diagnosis.is_oriented_manifold());
+}
+
+TEST(Diagnose, FindsPinchedVertices) {
+  const TriangleSoup soup{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}, {}};
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(only_place(diagnosis, Problem::pinched_vertex).elements, std::vector{0});
+  EXPECT_FALSE(diagnosis.is_oriented_manifold());
+}
+
+TEST(Diagnose, ShowsOnlyTheFirstPlaces) {
+  TriangleSoup soup = soup_of(tetrahedron());
+  for (int k = 0; k < 1000; ++k) soup.points.emplace_back(k, 7, 7);
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(diagnosis.findings.front().count, 1000u);
+  EXPECT_EQ(diagnosis.findings.front().first.size(), 5u);
+}
+
+TEST(Diagnose, SaysWhatMakeMeshWillRefuse) {
+  int refused = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TRIVALENT_MESHES)) {
+    const auto path = entry.path();
+    const TriangleSoup soup = triangulate(read_polygon_soup(path));
+    bool accepted = true;
+    try {
+      (void)make_mesh(soup.points, soup.triangles);
+    } catch (const InvalidMesh&) {
+      accepted = false;
+      ++refused;
+    }
+    EXPECT_EQ(diagnose(soup).is_oriented_manifold(), accepted) << path;
+  }
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace trivalent::remesh
