@@ -7,6 +7,8 @@
 #include <cstring>
 
 #include "energy_checks.h"
+#include "rebo/clean_kernel.h"
+#include "rebo/evaluator.h"
 #include "rebo/parameters.h"
 #include "rebo/plain_rebo.h"
 #include "structures.h"
@@ -48,6 +50,16 @@ TEST(ReboEvaluator, AgreesWithThePlainOneOnSheetsOfAnyDisorder) {
       displace(atoms, disorder, seed);
       expect_same(rebo(atoms), plain(atoms));
     }
+  }
+}
+
+TEST(ReboEvaluator, AgreesWithThePlainOneOnAllInstructionSets) {
+  Atoms atoms = testing_support::geodesic_shell(9, 1.42);
+  displace(atoms, 0.06, 1);
+  const auto [kernels, count] = rebo_detail::usable_clean_kernels();
+  for (int k = 0; k < count; ++k) {
+    rebo_detail::Evaluator evaluator(rebo_detail::brenner_2002, 0.3, kernels[k]);
+    expect_same(evaluator.evaluate(atoms), plain(atoms));
   }
 }
 

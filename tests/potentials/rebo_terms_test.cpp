@@ -44,14 +44,21 @@ TEST(CubicRise, GoesFromZeroToOne) {
   EXPECT_NEAR(cubic_rise(0.6, {0.0, 2.0}).slope, difference_quotient(value, 0.6), slope_error);
 }
 
+ValueAndSlope cut_repulsion(double r, const BondParameters& bond) {
+  return repulsion(r, cosine_switch(r, bond.cutoff), bond);
+}
+ValueAndSlope cut_attraction(double r, const BondParameters& bond) {
+  return attraction(r, cosine_switch(r, bond.cutoff), bond);
+}
+
 TEST(PairTerms, SlopesAreTheDerivatives) {
   for (const Parameters* parameters : {&brenner_2002, &stuart_2000}) {
     for (const BondParameters& bond : parameters->bonds) {
       for (const double r : {0.8, 1.05, 1.42, 1.5, 1.65, 1.79}) {
-        const auto repelled = [&](double x) { return repulsion(x, bond).value; };
-        const auto attracted = [&](double x) { return attraction(x, bond).value; };
-        EXPECT_NEAR(repulsion(r, bond).slope, difference_quotient(repelled, r), 2e-5);
-        EXPECT_NEAR(attraction(r, bond).slope, difference_quotient(attracted, r), 2e-5);
+        const auto repelled = [&](double x) { return cut_repulsion(x, bond).value; };
+        const auto attracted = [&](double x) { return cut_attraction(x, bond).value; };
+        EXPECT_NEAR(cut_repulsion(r, bond).slope, difference_quotient(repelled, r), 2e-5);
+        EXPECT_NEAR(cut_attraction(r, bond).slope, difference_quotient(attracted, r), 2e-5);
       }
     }
   }
@@ -59,9 +66,9 @@ TEST(PairTerms, SlopesAreTheDerivatives) {
 
 TEST(PairTerms, EndAtTheCutoffAndAreFiniteAtCollisions) {
   for (const BondParameters& bond : brenner_2002.bonds) {
-    EXPECT_EQ(repulsion(bond.cutoff.end, bond).value, 0.0);
-    EXPECT_EQ(attraction(bond.cutoff.end, bond).slope, 0.0);
-    EXPECT_TRUE(std::isfinite(repulsion(1e-6, bond).value));
+    EXPECT_EQ(cut_repulsion(bond.cutoff.end, bond).value, 0.0);
+    EXPECT_EQ(cut_attraction(bond.cutoff.end, bond).slope, 0.0);
+    EXPECT_TRUE(std::isfinite(cut_repulsion(1e-6, bond).value));
   }
 }
 

@@ -4,15 +4,23 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-CleanKernel best_clean_kernel() {
+CleanKernels usable_clean_kernels() {
+  CleanKernels usable = {{clean_kernel_baseline, nullptr, nullptr}, 1};
 #ifdef TRIVALENT_X86_KERNELS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    usable.kernels[usable.count++] = clean_kernel_avx2;
+  }
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl")) {
-    return clean_kernel_avx512;
+    usable.kernels[usable.count++] = clean_kernel_avx512;
   }
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return clean_kernel_avx2;
 #endif
-  return clean_kernel_baseline;
+  return usable;
+}
+
+CleanKernel best_clean_kernel() {
+  const CleanKernels usable = usable_clean_kernels();
+  return usable.kernels[usable.count - 1];
 }
 
 }  // namespace trivalent::potentials::rebo_detail

@@ -54,6 +54,13 @@ constexpr std::uint8_t has_other_pi = 4;  ///< at the end of a bond from or to a
 using CleanKernel = void (*)(const CleanArguments& arguments, const std::uint32_t* atoms,
                              std::size_t count, double* virial);
 
+/// The kernels of all instruction sets that this machine has, the best one last.
+struct CleanKernels {
+  CleanKernel kernels[3];
+  int count;
+};
+[[nodiscard]] CleanKernels usable_clean_kernels();
+
 /// The kernel for the best instruction set that this machine has.
 [[nodiscard]] CleanKernel best_clean_kernel();
 

@@ -45,10 +45,10 @@ struct Largest {
 
 }  // namespace
 
-Evaluator::Evaluator(const Parameters& parameters, double skin)
+Evaluator::Evaluator(const Parameters& parameters, double skin, CleanKernel kernel)
     : parameters_(parameters),
       clean_parameters_(clean_parameters(parameters)),
-      clean_kernel_(best_clean_kernel()),
+      clean_kernel_(kernel),
       skin_(skin) {}
 
 const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
@@ -300,7 +300,8 @@ Eigen::Matrix3d Evaluator::evaluate_regular(std::size_t tile, Scratch& scratch) 
 
 // After the regular ones, to some of which it adds; returns what that adds to the virial.
 Eigen::Matrix3d Evaluator::evaluate_general(std::size_t tile, Scratch& scratch) const {
-  GeneralAtom general(surroundings(), slopes(tile, scratch));
+  GeneralAtom general(surroundings(), slopes(tile, scratch),
+                      candidates_->tiles[tile + 1] - candidates_->tiles[tile]);
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     if ((states_[i] & atom_state::irregular) != 0) {
       general.evaluate(i);

@@ -23,7 +23,7 @@ namespace trivalent::potentials::rebo_detail {
 /// independent, so threads neither wait for each other nor change a bit of the result.
 class Evaluator {
  public:
-  Evaluator(const Parameters& parameters, double skin);
+  Evaluator(const Parameters& parameters, double skin, CleanKernel kernel = best_clean_kernel());
 
   /// @throws InvalidAtoms as NeighborList does.
   [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);

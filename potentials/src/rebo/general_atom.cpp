@@ -14,13 +14,24 @@ Coordination Surroundings::coordination(std::uint32_t atom) const {
   return states[atom] & atom_state::irregular ? coordinations[atom] : Coordination{3.0, 0.0};
 }
 
-void GeneralAtom::load(std::uint32_t atom, Center& center) const {
+// Index of the atom's center; those of the tile are loaded once.
+std::uint32_t GeneralAtom::find(std::uint32_t atom) {
+  const std::uint32_t place = atom - out_.first_atom;  // wraps around if before the tile
+  if (place < known_.size() && known_[place] != unknown) return known_[place];
+  const auto index = static_cast<std::uint32_t>(centers_.size());
+  centers_.push_back(load(atom));
+  if (place < known_.size()) known_[place] = index;
+  return index;
+}
+
+GeneralAtom::Center GeneralAtom::load(std::uint32_t atom) {
   const Candidates& c = in_.candidates;
-  center.atom = atom;
-  center.species = c.species[atom];
-  center.coordination = in_.coordination(atom);
-  center.conjugation = 0.0;
-  center.neighbors.clear();
+  Center center = {.atom = atom,
+                   .species = c.species[atom],
+                   .coordination = in_.coordination(atom),
+                   .conjugation = 0.0,
+                   .first = static_cast<std::uint32_t>(neighbors_.size()),
+                   .count = 0};
   for (std::uint32_t link = c.first[atom]; link < c.first[atom + 1]; ++link) {
     const std::uint32_t other = c.home(c.point[link]);
     const BondParameters& bond = in_.parameters.bond(center.species, c.species[other]);
@@ -35,10 +46,7 @@ void GeneralAtom::load(std::uint32_t atom, Center& center) const {
                          .r = r,
                          .f = cosine_switch(r, bond.cutoff),
                          .f_dihedral = {},
-                         .F = {0.0, 0.0},
-                         .slope = Eigen::Vector3d::Zero(),
-                         .slope_f = 0.0,
-                         .slope_X = 0.0};
+                         .F = {0.0, 0.0}};
     // The two cutoffs are one function, except between carbon and hydrogen.
     neighbor.f_dihedral = bond.dihedral_cutoff.end == bond.cutoff.end
                               ? neighbor.f
@@ -48,74 +56,85 @@ void GeneralAtom::load(std::uint32_t atom, Center& center) const {
       neighbor.F = cosine_switch(X, conjugation_switch);
       center.conjugation += neighbor.f.value * neighbor.F.value;
     }
-    center.neighbors.push_back(neighbor);
+    neighbors_.push_back(neighbor);
+    ++center.count;
   }
+  return center;
 }
 
-void GeneralAtom::start(std::uint32_t atom) {
-  load(atom, near_);
+// Goes on to another atom and loads those of its neighbors that is_needed(neighbor) asks for.
+template <typename Condition>
+void GeneralAtom::start(std::uint32_t atom, const Condition& is_needed) {
+  const std::uint32_t near = find(atom);
+  near_ = centers_[near];
+  far_.assign(near_.count, unknown);
+  for (std::size_t j = 0; j < near_.count; ++j) {
+    const Neighbor neighbor = neighbors(near_)[j];  // a copy: loading moves the others
+    if (is_needed(neighbor)) far_[j] = find(neighbor.atom);
+  }
+  near_neighbors_ = neighbors(near_);
+  slopes_.assign(near_.count, {});
   energy_ = 0.0;
   slope_coordination_ = {};
-  due_.assign(near_.neighbors.size(), 0.0);
 }
 
 void GeneralAtom::evaluate(std::uint32_t atom) {
-  start(atom);
-  for (std::size_t j = 0; j < near_.neighbors.size(); ++j) evaluate_bond(j);
+  start(atom, [](const Neighbor&) { return true; });
+  for (std::size_t j = 0; j < near_.count; ++j) evaluate_bond(j);
   clear_links();
   out_.energies[atom - out_.first_atom] = 0.0;
   write();
 }
 
 void GeneralAtom::add_other_pi(std::uint32_t atom) {
-  start(atom);
-  for (std::size_t j = 0; j < near_.neighbors.size(); ++j) {
-    const std::uint8_t states = in_.states[atom] | in_.states[near_.neighbors[j].atom];
-    if ((states & atom_state::unconjugated) != 0) evaluate_pi(j);
+  start(atom, [&](const Neighbor& neighbor) {
+    const std::uint8_t states = in_.states[atom] | in_.states[neighbor.atom];
+    return (states & atom_state::unconjugated) != 0;
+  });
+  for (std::size_t j = 0; j < near_.count; ++j) {
+    if (far_[j] != unknown) evaluate_pi(j);
   }
   write();
 }
 
 void GeneralAtom::evaluate_pi(std::size_t j) {
-  Neighbor& bond = near_.neighbors[j];
+  const Neighbor& bond = near_neighbors_[j];
   const ValueAndSlope attracted =
-      attraction(bond.r, in_.parameters.bond(near_.species, bond.species));
-  double pi = 0.0;
-  add_pi(j, -attracted.value, pi);
+      attraction(bond.r, bond.f, in_.parameters.bond(near_.species, bond.species));
+  const double pi = add_pi(j, -attracted.value);
   energy_ -= 0.5 * attracted.value * pi;
-  bond.slope -= 0.5 * attracted.slope * pi * bond.direction;
+  slopes_[j].separation -= 0.5 * attracted.slope * pi * bond.direction;
 }
 
 // The half of the bond's energy that belongs to this atom, and the derivatives it is in charge of.
 void GeneralAtom::evaluate_bond(std::size_t j) {
-  Neighbor& bond = near_.neighbors[j];
+  const Neighbor& bond = near_neighbors_[j];
   const BondParameters& constants = in_.parameters.bond(near_.species, bond.species);
-  const ValueAndSlope repelled = repulsion(bond.r, constants);
-  const ValueAndSlope attracted = attraction(bond.r, constants);
+  const ValueAndSlope repelled = repulsion(bond.r, bond.f, constants);
+  const ValueAndSlope attracted = attraction(bond.r, bond.f, constants);
   const double sigma = add_sigma(j, attracted.value);
-  double pi = 0.0;
-  add_pi(j, -attracted.value, pi);
-  due_[j] = -0.25 * attracted.value * sigma;
-  energy_ += 0.5 * (repelled.value - attracted.value * pi) + due_[j];
-  bond.slope += 0.5 * (repelled.slope - attracted.slope * (sigma + pi)) * bond.direction;
+  const double pi = add_pi(j, -attracted.value);
+  slopes_[j].due = -0.25 * attracted.value * sigma;
+  energy_ += 0.5 * (repelled.value - attracted.value * pi) + slopes_[j].due;
+  slopes_[j].separation += 0.5 * (repelled.slope - attracted.slope * (sigma + pi)) * bond.direction;
 }
 
 void GeneralAtom::add_coordination_without(std::size_t j, Coordination slope) {
   slope_coordination_.carbon += slope.carbon;
   slope_coordination_.hydrogen += slope.hydrogen;
-  near_.neighbors[j].slope_f -= slope.of(near_.neighbors[j].species);
+  slopes_[j].f -= slope.of(near_neighbors_[j].species);
 }
 
 void GeneralAtom::add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope) {
-  Neighbor& a = near_.neighbors[j];
-  Neighbor& b = near_.neighbors[k];
-  a.slope += slope / a.r * (b.direction - cosine * a.direction);
-  b.slope += slope / b.r * (a.direction - cosine * b.direction);
+  const Neighbor& a = near_neighbors_[j];
+  const Neighbor& b = near_neighbors_[k];
+  slopes_[j].separation += slope / a.r * (b.direction - cosine * a.direction);
+  slopes_[k].separation += slope / b.r * (a.direction - cosine * b.direction);
 }
 
 // Returns p of the bond; half of it weighs -V_A in the energy.
 double GeneralAtom::add_sigma(std::size_t j, double attracted) {
-  std::vector<Neighbor>& neighbors = near_.neighbors;
+  const std::span<const Neighbor> neighbors = near_neighbors_;
   Coordination rest = near_.coordination;
   rest.of(neighbors[j].species) -= neighbors[j].f.value;
   const bool is_carbon = near_.species == Species::carbon;
@@ -156,33 +175,33 @@ double GeneralAtom::add_sigma(std::size_t j, double attracted) {
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     if (k == j) continue;
     const Angle term = k < most_kept ? kept[k] : angle(k);
-    Neighbor& neighbor = neighbors[k];
+    const Neighbor& neighbor = neighbors[k];
     const double value = weight * term.g.value * term.factor;
-    neighbor.slope_f += value;
+    slopes_[k].f += value;
     const double share = weight * neighbor.f.value * term.factor;
     add_slope_of_cosine(j, k, term.cosine, share * term.g.slope_cosine);
     if (is_carbon) continue;
     const double slope_stretch = value * neighbor.f.value * hydrogen_lambda;
-    neighbors[j].slope += slope_stretch * neighbors[j].direction;
-    neighbor.slope -= slope_stretch * neighbor.direction;
+    slopes_[j].separation += slope_stretch * neighbors[j].direction;
+    slopes_[k].separation -= slope_stretch * neighbor.direction;
   }
   add_coordination_without(
       j, {weight * (slope_coordination + P.slope_x), weight * (slope_coordination + P.slope_y)});
   return p;
 }
 
-// Sets order to π + T D; weight is the derivative of the energy with respect to it.
-void GeneralAtom::add_pi(std::size_t j, double weight, double& order) {
-  const Neighbor& bond = near_.neighbors[j];
-  load(bond.atom, far_);
+// Returns π + T D; weight is the derivative of the energy with respect to it.
+double GeneralAtom::add_pi(std::size_t j, double weight) {
+  const Neighbor& bond = near_neighbors_[j];
+  const Center& far = centers_[far_[j]];
   const std::uint32_t back_link = in_.candidates.reverse[bond.link];
-  const auto back = static_cast<std::size_t>(
-      std::ranges::find(far_.neighbors, back_link, &Neighbor::link) - far_.neighbors.begin());
-  const Neighbor& opposite = far_.neighbors[back];
+  std::size_t back = 0;
+  while (neighbors(far)[back].link != back_link) ++back;
+  const Neighbor& opposite = neighbors(far)[back];
   const double N_near = near_.coordination.total() - bond.f.value;
-  const double N_far = far_.coordination.total() - bond.f.value;
+  const double N_far = far.coordination.total() - bond.f.value;
   const double conjugation_near = near_.conjugation - bond.f.value * bond.F.value;
-  const double conjugation_far = far_.conjugation - opposite.f.value * opposite.F.value;
+  const double conjugation_far = far.conjugation - opposite.f.value * opposite.F.value;
   const double N_conjugated =
       1.0 + conjugation_near * conjugation_near + conjugation_far * conjugation_far;
   const auto kind =
@@ -193,26 +212,25 @@ void GeneralAtom::add_pi(std::size_t j, double weight, double& order) {
   const Value3 T = kind == carbon_carbon ? dihedral_spline(N_near, N_far, N_conjugated) : Value3{};
   const bool is_free_to_turn = T.value == 0.0 && T.slope_x == 0.0 && T.slope_z == 0.0;
   const double D = is_free_to_turn ? 0.0 : add_dihedral(j, back, weight * T.value);
-  order = pi.value + T.value * D;
-
   const double slope_near = weight * (pi.slope_x + T.slope_x * D);
   add_coordination_without(j, {slope_near, slope_near});
   const double slope_sum = 2.0 * conjugation_near * weight * (pi.slope_z + T.slope_z * D);
-  for (std::size_t k = 0; k < near_.neighbors.size(); ++k) {
-    Neighbor& neighbor = near_.neighbors[k];
+  for (std::size_t k = 0; k < near_.count; ++k) {
+    const Neighbor& neighbor = near_neighbors_[k];
     if (k == j || neighbor.species != Species::carbon) continue;
     const double slope_X = slope_sum * neighbor.f.value * neighbor.F.slope;
-    neighbor.slope_f += slope_sum * neighbor.F.value - slope_X;
-    neighbor.slope_X += slope_X;
+    slopes_[k].f += slope_sum * neighbor.F.value - slope_X;
+    slopes_[k].X += slope_X;
   }
+  return pi.value + T.value * D;
 }
 
-void GeneralAtom::find_planes(const Center& center, std::size_t axis,
-                              std::vector<Plane>& planes) const {
+void GeneralAtom::find_planes(std::span<const Neighbor> neighbors, std::size_t axis,
+                              std::vector<Plane>& planes) {
   planes.clear();
-  const Neighbor& bond = center.neighbors[axis];
-  for (std::size_t k = 0; k < center.neighbors.size(); ++k) {
-    const Neighbor& neighbor = center.neighbors[k];
+  const Neighbor& bond = neighbors[axis];
+  for (std::size_t k = 0; k < neighbors.size(); ++k) {
+    const Neighbor& neighbor = neighbors[k];
     if (k == axis || neighbor.f_dihedral.value == 0.0) continue;
     const double cosine = std::clamp(bond.direction.dot(neighbor.direction), -1.0, 1.0);
     const ValueAndSlope bent = cubic_rise(cosine, straight_angle);
@@ -228,20 +246,21 @@ void GeneralAtom::find_planes(const Center& center, std::size_t axis,
 
 // Returns D; weight is the derivative of the energy with respect to it.
 double GeneralAtom::add_dihedral(std::size_t j, std::size_t back, double weight) {
-  find_planes(near_, j, near_planes_);
-  find_planes(far_, back, far_planes_);
+  const std::span<const Neighbor> far_neighbors = neighbors(centers_[far_[j]]);
+  find_planes(near_neighbors_, j, near_planes_);
+  find_planes(far_neighbors, back, far_planes_);
   double sum = 0.0;
   for (const Plane& near : near_planes_) {
-    Neighbor& neighbor = near_.neighbors[near.neighbor];
+    const Neighbor& neighbor = near_neighbors_[near.neighbor];
     double slope_share = 0.0;
     Eigen::Vector3d slope_normal = Eigen::Vector3d::Zero();
     for (const Plane& far : far_planes_) {
-      const Neighbor& other = far_.neighbors[far.neighbor];
+      const Neighbor& other = far_neighbors[far.neighbor];
       // The third atom of a three-membered ring is on both ends: no dihedral angle. Images of one
       // atom are far from each other compared with rounding.
       if (other.atom == neighbor.atom) {
         const Eigen::Vector3d between =
-            near_.neighbors[j].separation + other.separation - neighbor.separation;
+            near_neighbors_[j].separation + other.separation - neighbor.separation;
         constexpr double rounding = 1e-6;
         if (between.norm() < rounding * neighbor.r) continue;
       }
@@ -253,9 +272,10 @@ double GeneralAtom::add_dihedral(std::size_t j, std::size_t back, double weight)
       slope_normal -= 2.0 * near.share * far.share * over * far.inverse_square *
                       (far.normal - over * near.normal);
     }
-    near_.neighbors[j].slope += weight * neighbor.separation.cross(slope_normal);
-    neighbor.slope += weight * slope_normal.cross(near_.neighbors[j].separation);
-    neighbor.slope +=
+    slopes_[j].separation += weight * neighbor.separation.cross(slope_normal);
+    Eigen::Vector3d& slope_of_neighbor = slopes_[near.neighbor].separation;
+    slope_of_neighbor += weight * slope_normal.cross(near_neighbors_[j].separation);
+    slope_of_neighbor +=
         weight * slope_share * near.bent.value * neighbor.f_dihedral.slope * neighbor.direction;
     if (near.bent.slope == 0.0) continue;
     add_slope_of_cosine(j, near.neighbor, near.cosine,
@@ -278,14 +298,15 @@ void GeneralAtom::write() {
     out_.cutoffs[link] = 0.0;
     out_.others[link] = 0.0;
   }
-  for (std::size_t k = 0; k < near_.neighbors.size(); ++k) {
-    const Neighbor& neighbor = near_.neighbors[k];
+  for (std::size_t k = 0; k < near_.count; ++k) {
+    const Neighbor& neighbor = near_neighbors_[k];
+    const NeighborSlopes& slopes = slopes_[k];
     const std::size_t link = neighbor.link - out_.first_link;
-    Eigen::Vector3d::Map(out_.links + 4 * link) += neighbor.slope;
-    out_.links[4 * link + 3] += due_[k];
-    virial_ -= neighbor.slope * neighbor.separation.transpose();
-    out_.cutoffs[neighbor.link] = neighbor.slope_f;
-    out_.others[neighbor.link] = neighbor.slope_X;
+    Eigen::Vector3d::Map(out_.links + 4 * link) += slopes.separation;
+    out_.links[4 * link + 3] += slopes.due;
+    virial_ -= slopes.separation * neighbor.separation.transpose();
+    out_.cutoffs[neighbor.link] = slopes.f;
+    out_.others[neighbor.link] = slopes.X;
   }
   out_.energies[near_.atom - out_.first_atom] += energy_;
   out_.coordination[near_.atom] = slope_coordination_;

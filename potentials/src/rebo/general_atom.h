@@ -56,8 +56,9 @@ struct Slopes {
 /// the same. So no two atoms write to the same place, and sums do not depend on threads.
 class GeneralAtom {
  public:
-  GeneralAtom(const Surroundings& surroundings, const Slopes& slopes)
-      : in_(surroundings), out_(slopes) {}
+  /// @param atoms  how many from slopes.first_atom on are to be evaluated; others may be neighbors
+  GeneralAtom(const Surroundings& surroundings, const Slopes& slopes, std::uint32_t atoms)
+      : in_(surroundings), out_(slopes), known_(atoms, unknown) {}
 
   /// Writes everything in Slopes for one atom.
   void evaluate(std::uint32_t atom);
@@ -69,6 +70,9 @@ class GeneralAtom {
   [[nodiscard]] const Eigen::Matrix3d& virial() const { return virial_; }
 
  private:
+  static constexpr std::uint32_t unknown = 0xffffffff;
+
+  // A bond as it is seen from one end.
   struct Neighbor {
     std::uint32_t link;
     std::uint32_t atom;
@@ -79,18 +83,24 @@ class GeneralAtom {
     ValueAndSlope f;           // cutoff
     ValueAndSlope f_dihedral;  // cutoff of the dihedral term
     ValueAndSlope F;           // conjugation; of carbon neighbors only, else zero
-    // Derivatives of the energy:
-    Eigen::Vector3d slope;  // d/d(separation), except through f
-    double slope_f;
-    double slope_X;  // through F
   };
 
+  // Derivatives of the energy with respect to a bond of the atom that is evaluated.
+  struct NeighborSlopes {
+    Eigen::Vector3d separation = Eigen::Vector3d::Zero();  // except through f
+    double f = 0.0;
+    double X = 0.0;    // through F
+    double due = 0.0;  // energy for the atom at the other end
+  };
+
+  // An atom and its bonds, kept for as long as its neighbors may ask for them.
   struct Center {
     std::uint32_t atom;
     Species species;
     Coordination coordination;
     double conjugation;  // Σ f F
-    std::vector<Neighbor> neighbors;
+    std::uint32_t first;
+    std::uint32_t count;
   };
 
   struct Plane {
@@ -102,27 +112,38 @@ class GeneralAtom {
     ValueAndSlope bent;
   };
 
-  void load(std::uint32_t atom, Center& center) const;
-  void start(std::uint32_t atom);
+  [[nodiscard]] std::uint32_t find(std::uint32_t atom);
+  [[nodiscard]] Center load(std::uint32_t atom);
+  [[nodiscard]] std::span<const Neighbor> neighbors(const Center& center) const {
+    return std::span(neighbors_).subspan(center.first, center.count);
+  }
+  template <typename Condition>
+  void start(std::uint32_t atom, const Condition& is_needed);
   void evaluate_bond(std::size_t j);
   void evaluate_pi(std::size_t j);
   [[nodiscard]] double add_sigma(std::size_t j, double attracted);
-  void add_pi(std::size_t j, double weight, double& order);
+  [[nodiscard]] double add_pi(std::size_t j, double weight);
   [[nodiscard]] double add_dihedral(std::size_t j, std::size_t back, double weight);
   void add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope);
   void add_coordination_without(std::size_t j, Coordination slope);
-  void find_planes(const Center& center, std::size_t axis, std::vector<Plane>& planes) const;
+  static void find_planes(std::span<const Neighbor> neighbors, std::size_t axis,
+                          std::vector<Plane>& planes);
   void clear_links() const;
   void write();
 
   Surroundings in_;
   Slopes out_;
-  Center near_;
-  Center far_;
+  std::vector<std::uint32_t> known_;  // index of the center of each atom of the tile, if loaded
+  std::vector<Center> centers_;
+  std::vector<Neighbor> neighbors_;  // of all centers
+  // Of the atom that is evaluated:
+  Center near_{};
+  std::span<const Neighbor> near_neighbors_;
+  std::vector<NeighborSlopes> slopes_;
+  std::vector<std::uint32_t> far_;  // centers of its neighbors, where needed
   double energy_ = 0.0;
   Eigen::Matrix3d virial_ = Eigen::Matrix3d::Zero();
   Coordination slope_coordination_;
-  std::vector<double> due_;  // per neighbor: energy for the atom at the other end
   std::vector<Plane> near_planes_;
   std::vector<Plane> far_planes_;
 };

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "rebo/cutoff.h"
-
 namespace trivalent::potentials::rebo_detail {
 
 namespace {
@@ -14,22 +12,22 @@ namespace {
 
 }  // namespace
 
-ValueAndSlope repulsion(double r, const BondParameters& bond) {
+ValueAndSlope repulsion(double r, ValueAndSlope cutoff, const BondParameters& bond) {
   const double decay = bond.A * std::exp(-bond.alpha * r);
   const double screening = 1.0 + bond.Q / r;
   const ValueAndSlope uncut = {screening * decay,
                                -(bond.alpha * screening + bond.Q / (r * r)) * decay};
-  return product(cosine_switch(r, bond.cutoff), uncut);
+  return product(cutoff, uncut);
 }
 
-ValueAndSlope attraction(double r, const BondParameters& bond) {
+ValueAndSlope attraction(double r, ValueAndSlope cutoff, const BondParameters& bond) {
   ValueAndSlope uncut = {0.0, 0.0};
   for (std::size_t n = 0; n < bond.B.size(); ++n) {
     const double term = bond.B[n] == 0.0 ? 0.0 : bond.B[n] * std::exp(-bond.beta[n] * r);
     uncut.value += term;
     uncut.slope -= bond.beta[n] * term;
   }
-  return product(cosine_switch(r, bond.cutoff), uncut);
+  return product(cutoff, uncut);
 }
 
 }  // namespace trivalent::potentials::rebo_detail

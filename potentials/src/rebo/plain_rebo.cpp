@@ -17,8 +17,8 @@ EnergyForces plain_rebo(const Atoms& atoms, const Parameters& parameters) {
     const Bond& bond = bonds[b];
     if (bond.reverse < b) continue;  // once a bond, not once a direction
     const auto& constants = parameters.bond(bonds.species(bond.from), bonds.species(bond.to));
-    const ValueAndSlope repelled = repulsion(bond.distance, constants);
-    const ValueAndSlope attracted = attraction(bond.distance, constants);
+    const ValueAndSlope repelled = repulsion(bond.distance, bond.cutoff, constants);
+    const ValueAndSlope attracted = attraction(bond.distance, bond.cutoff, constants);
     const double order = orders.bond_order(pair_of(bonds, b), -attracted.value);
     gradient.add_distance(bond, repelled.slope - order * attracted.slope);
 

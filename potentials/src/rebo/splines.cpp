@@ -68,26 +68,38 @@ Value3 TricubicSpline::operator()(double x, double y, double z) const {
   const HermiteWeights& wx = along_x.weights;
   const HermiteWeights& wy = along_y.weights;
   const HermiteWeights& wz = along_z.weights;
+  // One direction after the other: z, then y, then x. What is given at a knot as a slope along one
+  // direction counts like a value along the others; names with x and y are about those.
   Value3 sum{};
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const std::size_t a = corner & 1;
-    const std::size_t b = corner >> 1 & 1;
-    const std::size_t c = corner >> 2;
-    const Node& node = nodes_[along_x.cell + a][along_y.cell + b][along_z.cell + c];
-    // The node's own contribution and its derivatives along one direction at a time.
-    const double from_x = node.value * wx.h[a] + node.slope_x * wx.H[a];
-    const double from_x_slope = node.value * wx.h_slope[a] + node.slope_x * wx.H_slope[a];
-    const double from_y = node.slope_y * wx.h[a];
-    const double from_y_slope = node.slope_y * wx.h_slope[a];
-    const double from_z = node.slope_z * wx.h[a];
-    const double from_z_slope = node.slope_z * wx.h_slope[a];
-    const double hy = wy.h[b];
-    const double hz = wz.h[c];
-    sum.value += (from_x * hy + from_y * wy.H[b]) * hz + from_z * hy * wz.H[c];
-    sum.slope_x += (from_x_slope * hy + from_y_slope * wy.H[b]) * hz + from_z_slope * hy * wz.H[c];
-    sum.slope_y +=
-        (from_x * wy.h_slope[b] + from_y * wy.H_slope[b]) * hz + from_z * wy.h_slope[b] * wz.H[c];
-    sum.slope_z += (from_x * hy + from_y * wy.H[b]) * wz.h_slope[c] + from_z * hy * wz.H_slope[c];
+  for (std::size_t a = 0; a < 2; ++a) {
+    double value = 0.0;
+    double slope_y = 0.0;
+    double slope_z = 0.0;
+    double x_value = 0.0;
+    double x_slope_y = 0.0;
+    double x_slope_z = 0.0;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Node& low = nodes_[along_x.cell + a][along_y.cell + b][along_z.cell];
+      const Node& high = nodes_[along_x.cell + a][along_y.cell + b][along_z.cell + 1];
+      const double from_value = low.value * wz.h[0] + high.value * wz.h[1] + low.slope_z * wz.H[0] +
+                                high.slope_z * wz.H[1];
+      const double from_value_z = low.value * wz.h_slope[0] + high.value * wz.h_slope[1] +
+                                  low.slope_z * wz.H_slope[0] + high.slope_z * wz.H_slope[1];
+      const double from_y = low.slope_y * wz.h[0] + high.slope_y * wz.h[1];
+      const double from_y_z = low.slope_y * wz.h_slope[0] + high.slope_y * wz.h_slope[1];
+      const double from_x = low.slope_x * wz.h[0] + high.slope_x * wz.h[1];
+      const double from_x_z = low.slope_x * wz.h_slope[0] + high.slope_x * wz.h_slope[1];
+      value += from_value * wy.h[b] + from_y * wy.H[b];
+      slope_y += from_value * wy.h_slope[b] + from_y * wy.H_slope[b];
+      slope_z += from_value_z * wy.h[b] + from_y_z * wy.H[b];
+      x_value += from_x * wy.h[b];
+      x_slope_y += from_x * wy.h_slope[b];
+      x_slope_z += from_x_z * wy.h[b];
+    }
+    sum.value += value * wx.h[a] + x_value * wx.H[a];
+    sum.slope_x += value * wx.h_slope[a] + x_value * wx.H_slope[a];
+    sum.slope_y += slope_y * wx.h[a] + x_slope_y * wx.H[a];
+    sum.slope_z += slope_z * wx.h[a] + x_slope_z * wx.H[a];
   }
   return sum;
 }
