@@ -72,6 +72,7 @@ std::vector<double> reals(std::string_view text, std::size_t count, const LineRe
     lines.fail("expected ", count, " numbers, found ", quoted(text));
   }
   std::vector<double> values;
+  values.reserve(count);
   for (const auto field : fields) values.push_back(lines.real(field));
   return values;
 }

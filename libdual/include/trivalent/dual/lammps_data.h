@@ -68,8 +68,8 @@ struct LammpsCheckOptions {
   std::array<bool, 3> periodic = {false, false, false};
   bool has_hydrogen = false;
   std::string potential_file = "CH.rebo";  ///< `lmp -var potential FILE` overrides it
-  std::optional<double> expected_energy =
-      {};  ///< total [eV]; LAMMPS must find it to 1e-8 eV per atom
+  /// Total [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its size.
+  std::optional<double> expected_energy = {};
 };
 
 /// Writes a LAMMPS input script that reads the data file, computes `pair_style rebo` energies per
