@@ -33,6 +33,8 @@ struct Hop {
   int parents = 0;  // vertices one hop nearer that it was reached from
   Eigen::Vector3d offset =
       Eigen::Vector3d::Zero();  // from the center, unfolded: mean over the parents
+
+  [[nodiscard]] double weight() const { return hops == 0 ? 0.0 : 1.0 / hops; }
 };
 
 /// What lies in the plane of normal n, at full length.
@@ -109,22 +111,34 @@ struct Rows {
   std::vector<double> values;
 };
 
-/// Appends one row and returns its part of the gradient.
-Eigen::RowVector3d append_row(const std::vector<Hop>& found, Rows& rows) {
-  Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();
+void append_row(const std::vector<Hop>& found, Rows& rows) {
   double sum = 0.0;
   std::size_t diagonal = 0;
   for (const Hop& hop : found) {
     if (hop.hops == 0) diagonal = rows.values.size();
-    const double weight = hop.hops == 0 ? 0.0 : 1.0 / hop.hops;
     rows.columns.push_back(hop.vertex);
-    rows.values.push_back(-weight);
-    gradient -= weight * hop.offset.transpose();
-    sum += weight;
+    rows.values.push_back(-hop.weight());
+    sum += hop.weight();
   }
   rows.values[diagonal] = sum;
   rows.sizes.push_back(static_cast<int>(found.size()));
+}
+
+Eigen::RowVector3d gradient_of(const std::vector<Hop>& found) {
+  Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();
+  for (const Hop& hop : found) gradient -= hop.weight() * hop.offset.transpose();
   return gradient;
+}
+
+double folding_of(const std::vector<Hop>& found, const std::vector<Eigen::Vector3d>& normals,
+                  const Eigen::Vector3d& normal) {
+  double turning = 0.0;
+  double weights = 0.0;
+  for (const Hop& hop : found) {
+    turning += hop.weight() * (1.0 - normal.dot(normals[static_cast<std::size_t>(hop.vertex)]));
+    weights += hop.weight();
+  }
+  return weights > 0.0 ? turning / weights : 0.0;
 }
 
 /// Strings the runs together.
@@ -157,15 +171,20 @@ KRingSystem k_ring_system(const TriMesh& mesh, const std::vector<Eigen::Vector3d
   const Positions positions = positions_of(mesh);
   const std::size_t n = mesh.n_vertices();
   std::vector<Rows> runs((n + run_length - 1) / run_length);
-  Positions gradient(static_cast<Eigen::Index>(n), 3);
+  KRingSystem system;
+  system.gradient.resize(static_cast<Eigen::Index>(n), 3);
+  system.folding.resize(static_cast<Eigen::Index>(n));
   tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t run) {
     RingWalk walk(positions, one_rings, normals);
     for (std::size_t i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
-      gradient.row(static_cast<Eigen::Index>(i)) =
-          append_row(walk.around(static_cast<int>(i), rings), runs[run]);
+      const std::vector<Hop>& found = walk.around(static_cast<int>(i), rings);
+      append_row(found, runs[run]);
+      system.gradient.row(static_cast<Eigen::Index>(i)) = gradient_of(found);
+      system.folding[static_cast<Eigen::Index>(i)] = folding_of(found, normals, normals[i]);
     }
   });
-  return {assemble(runs, static_cast<Eigen::Index>(n)), std::move(gradient)};
+  system.laplacian = assemble(runs, static_cast<Eigen::Index>(n));
+  return system;
 }
 
 }  // namespace trivalent::remesh

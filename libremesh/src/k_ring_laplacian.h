@@ -20,6 +20,9 @@ struct KRingSystem {
   /// What stands for L v: row i is -Σ_j 1/S_j x_ij, x_ij the offset from i to j unfolded into the
   /// tangent plane at i. On a plane it is L v itself.
   Positions gradient;
+  /// How much the surface folds within the k rings: the mean of 1 - n_i · n_j with weights 1/S_j; 0
+  /// on a plane, 1 where half of the neighbors face the other way.
+  Eigen::VectorXd folding;
 };
 
 /// Builds the operator for all neighborhoods of up to `rings` rings.

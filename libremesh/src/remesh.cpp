@@ -112,7 +112,7 @@ RemeshProgress measure(const TriMesh& mesh) {
 /// keeps the mean within 2 % of m; left alone it settles up to 4 % above, since long edges are
 /// halved while short ones merely vanish.
 StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& options, int i) {
-  constexpr double first_target = 0.93;  // m_1 / m
+  constexpr double first_target = 0.9;  // m_1 / m
   constexpr double largest_correction = 0.1;
   constexpr double overlong = 2.5;       // in σ: the next round would split such an edge again
   constexpr double mending_part = 0.87;  // the last iterations only settle what was mended

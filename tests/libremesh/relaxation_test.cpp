@@ -69,6 +69,20 @@ TEST(KRingSystem, ARegularNetOnACylinderIsAtRest) {
   }
 }
 
+TEST(KRingSystem, FoldsNowhereOnAPlaneAndMoreOnASmallerSphere) {
+  TriMesh sheet = testing_support::triangular_sheet(5, 5);
+  const ConstrainedMesh on_sheet(sheet, std::nullopt);
+  EXPECT_LT(k_ring_system(sheet, normals_of(on_sheet), 2).folding.maxCoeff(), 1e-15);
+  const auto mean_folding = [](double edge) {
+    TriMesh sphere = make_shape("sphere", {}, edge);
+    const ConstrainedMesh on_sphere(sphere, std::nullopt);
+    return k_ring_system(sphere, normals_of(on_sphere), 1).folding.mean();
+  };
+  // 1 - cos of the angle that an edge spans: the square of the edge length over 2.
+  EXPECT_NEAR(mean_folding(0.2), 0.02, 0.003);
+  EXPECT_NEAR(mean_folding(0.4) / mean_folding(0.2), 4.0, 0.4);
+}
+
 class Relaxation : public testing::TestWithParam<Restriction> {};
 
 TEST_P(Relaxation, KeepsAPlaneFlatAndItsOutline) {
