@@ -43,7 +43,13 @@ void remove_flat_face(TriMesh& mesh, FaceHandle face) {
   }
   const EdgeHandle across = mesh.edge_handle(longest);
   if (mesh.is_boundary(across)) {
-    mesh.delete_face(face);
+    // If the vertex on the boundary's edge lies on a boundary itself, two fans would be left there.
+    const VertexHandle middle = mesh.to_vertex_handle(mesh.next_halfedge_handle(longest));
+    const HalfedgeHandle next = mesh.next_halfedge_handle(longest);
+    const HalfedgeHandle previous = mesh.prev_halfedge_handle(longest);
+    const bool is_ear =
+        mesh.is_boundary(mesh.edge_handle(next)) || mesh.is_boundary(mesh.edge_handle(previous));
+    if (!mesh.is_boundary(middle) || is_ear) mesh.delete_face(face);
   } else if (mesh.is_flip_ok(across)) {
     mesh.flip(across);
   }

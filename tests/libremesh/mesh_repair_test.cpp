@@ -158,6 +158,16 @@ TEST(Repair, RemovesFlatFacesWithoutChangingTheShape) {
   EXPECT_NEAR(signed_volume(result.mesh), 8.0 / 6.0, 1e-15);
 }
 
+TEST(Repair, LeavesAFlatFaceThatHoldsTwoOthersTogether) {
+  // Without the flat face, the other two would meet in point 2 only.
+  const TriangleSoup soup{{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {2, -1, 0}, {0, -1, 0}},
+                          {{0, 1, 2}, {2, 1, 3}, {0, 2, 4}},
+                          {}};
+  const RepairResult result = repair(soup);
+  EXPECT_EQ(result.notes, Notes{"left 1 flat face"});
+  EXPECT_TRUE(diagnose(soup_of(result.mesh)).is_oriented_manifold());
+}
+
 TEST(Repair, FillsHolesIfWanted) {
   TriangleSoup soup = soup_of(icosahedron());
   soup.triangles.erase(soup.triangles.begin() + 3, soup.triangles.begin() + 5);
