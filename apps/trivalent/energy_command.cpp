@@ -175,7 +175,8 @@ void run(const Command& self, std::span<const std::string> arguments) {
 
 const Command energy_command = {
     .name = "energy",
-    .synopsis = "FILE.extxyz|FILE.data|MESH [--potential rebo|lj] [--forces] [-o OUT] [options]",
+    .synopsis =
+        "FILE.extxyz|FILE.data|MESH [--potential rebo|airebo|lj] [--forces] [-o OUT] [options]",
     .meaning = "Computes energies and forces of atoms, or of the dual of a mesh",
     .run = run};
 

@@ -1,13 +1,14 @@
 #include "potential_options.h"
 
+#include <array>
+#include <string_view>
+
+#include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/rebo.h"
 
 namespace trivalent::apps {
 namespace {
-
-constexpr const char* rebo_name = "rebo";
-constexpr const char* lennard_jones_name = "lj";
 
 potentials::LennardJonesOptions lennard_jones_options(const Session& session) {
   return {.epsilon = session.get<double>("lj-epsilon"),
@@ -16,31 +17,50 @@ potentials::LennardJonesOptions lennard_jones_options(const Session& session) {
           .shift = session.has("lj-shift")};
 }
 
+/// A potential as the command line knows it.
+struct Potential {
+  std::string_view name;
+  potentials::EnergyForces (*evaluate)(const potentials::Atoms&, const Session&);
+};
+
+constexpr std::array potentials_by_name = {
+    Potential{"rebo", [](const potentials::Atoms& atoms,
+                         const Session&) { return potentials::rebo(atoms); }},
+    Potential{"airebo", [](const potentials::Atoms& atoms,
+                           const Session&) { return potentials::airebo(atoms); }},
+    Potential{"lj",
+              [](const potentials::Atoms& atoms, const Session& session) {
+                return potentials::lennard_jones(atoms, lennard_jones_options(session));
+              }},
+};
+
+const Potential& chosen_potential(const Session& session) {
+  const auto& name = session.get<std::string>("potential");
+  for (const Potential& potential : potentials_by_name) {
+    if (potential.name == name) return potential;
+  }
+  throw UsageError("--potential is rebo, airebo or lj, not '" + name + "'");
+}
+
 }  // namespace
 
 void add_potential_options(po::options_description& options) {
   const potentials::LennardJonesOptions defaults;
   options.add_options()  //
-      ("potential", with_default(std::string(rebo_name)),
-       "rebo: second-generation REBO; lj: Lennard-Jones")                        //
-      ("lj-epsilon", with_default(defaults.epsilon), "depth of the well [eV]")   //
-      ("lj-sigma", with_default(defaults.sigma), "distance of zero energy [Å]")  //
-      ("lj-cutoff", with_default(defaults.cutoff), "range [Å]")                  //
+      ("potential", with_default(std::string(potentials_by_name.front().name)),
+       "rebo: second-generation REBO; airebo: AIREBO with all its terms; lj: Lennard-Jones")  //
+      ("lj-epsilon", with_default(defaults.epsilon), "depth of the well [eV]")                //
+      ("lj-sigma", with_default(defaults.sigma), "distance of zero energy [Å]")               //
+      ("lj-cutoff", with_default(defaults.cutoff), "range [Å]")                               //
       ("lj-shift", "shift energies to 0 at the cutoff");
 }
 
-void check_potential(const Session& session) {
-  const auto& name = session.get<std::string>("potential");
-  if (name == rebo_name || name == lennard_jones_name) return;
-  throw UsageError("--potential is rebo or lj, not '" + name + "'");
-}
+void check_potential(const Session& session) { static_cast<void>(chosen_potential(session)); }
 
 potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const Session& session) {
-  check_potential(session);
-  if (is_rebo(session)) return potentials::rebo(atoms);
-  return potentials::lennard_jones(atoms, lennard_jones_options(session));
+  return chosen_potential(session).evaluate(atoms, session);
 }
 
-bool is_rebo(const Session& session) { return session.get<std::string>("potential") == rebo_name; }
+bool is_rebo(const Session& session) { return chosen_potential(session).name == "rebo"; }
 
 }  // namespace trivalent::apps

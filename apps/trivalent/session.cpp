@@ -51,7 +51,7 @@ std::unique_ptr<tbb::global_control> limit_threads(const po::variables_map& valu
 }  // namespace
 
 std::optional<Session> start(const Command& command, std::span<const std::string> arguments,
-                             Grammar grammar) {
+                             const Grammar& grammar) {
   po::variables_map values = parse(grammar, arguments);
   if (values.count("help") > 0) {
     print_help(command, grammar);

@@ -52,7 +52,8 @@ struct Session {
 ///
 /// @throws UsageError, boost::program_options::error on a command line that makes no sense.
 [[nodiscard]] std::optional<Session> start(const Command& command,
-                                           std::span<const std::string> arguments, Grammar grammar);
+                                           std::span<const std::string> arguments,
+                                           const Grammar& grammar);
 
 /// An option's value with a default that --help shows as a person would write it.
 template <typename Value>

@@ -65,6 +65,23 @@ TEST_F(EnergyCommand, FindsGrapheneInAPeriodicBox) {
   EXPECT_GT(cluster["excess_per_atom"].get<double>(), 1.0);
 }
 
+#ifdef TRIVALENT_LMP
+TEST_F(EnergyCommand, AgreesWithLammpsOnAirebo) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.data --digits 17");
+  write("in.airebo",
+        "units metal\nboundary s s s\natom_style atomic\nread_data s.data\n"
+        "pair_style airebo 3.0 1 1\npair_coeff * * CH.airebo C\nfix motion all nve\nrun 0\n"
+        "variable energy equal pe\nprint \"energy $(v_energy:%.15g)\"\n");
+  const Outcome run = shell(TRIVALENT_LMP " -in in.airebo");
+  ASSERT_EQ(run.exit_code, 0) << run.out;
+  const double theirs = std::stod(run.out.substr(run.out.find("\nenergy ") + 8));
+  const auto result = succeed("energy s.data --potential airebo --periodic none --json").json();
+  const double n_atoms = result["atoms"];
+  EXPECT_NEAR(result["energy"].get<double>() / n_atoms, theirs / n_atoms, 1e-8);
+}
+#endif
+
 TEST_F(EnergyCommand, RefusesWhatMakesNoSense) {
   write("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
   expect_failure(2, "--potential", "energy two.xyz --potential tersoff");
