@@ -23,9 +23,10 @@ constexpr double solver_tolerance = 1e-2;
 /// iterations and has no unique minimum on a plane or cylinder; damped, waves longer than some ten
 /// edges stay, the system is positive definite, and the solver's steps do not grow with the mesh.
 constexpr double damping = 0.05;
-/// The same per unit of folding: where the surface turns within the rings, as at a fingertip, the
-/// tangent plane says little of where to go.
-constexpr double damping_at_folds = 2.0;
+/// The same per unit of folding beyond what is harmless: where the surface turns within the rings,
+/// as at a fingertip, the tangent plane says little of where to go.
+constexpr double damping_at_folds = 3.0;
+constexpr double harmless_folding = 0.2;
 /// Weight of a restriction row against a Laplacian row of weight 1.
 constexpr double restriction_weight = 10.0;
 
@@ -148,7 +149,8 @@ std::vector<Eigen::Vector3d> relaxed_positions(const ConstrainedMesh& constraine
     normals[static_cast<std::size_t>(i)] = constrained.normal(VertexHandle(static_cast<int>(i)));
   });
   KRingSystem system = k_ring_system(mesh, normals, options.rings);
-  system.laplacian.diagonal().array() *= 1.0 + damping + damping_at_folds * system.folding.array();
+  system.laplacian.diagonal().array() *=
+      1.0 + damping + damping_at_folds * (system.folding.array() - harmless_folding).max(0.0);
   const Positions displacements = options.restriction == Restriction::hard
                                       ? hard_displacements(constrained, system)
                                       : least_squares_displacements(constrained, system);

@@ -114,9 +114,9 @@ RemeshProgress measure(const TriMesh& mesh) {
 StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& options, int i) {
   constexpr double first_target = 0.9;  // m_1 / m
   constexpr double largest_correction = 0.1;
-  constexpr double overlong = 2.5;       // in σ: the next round would split such an edge again
-  constexpr double mending_part = 0.87;  // the last iterations only settle what was mended
-  const double progress = static_cast<double>(i - 1) / options.iterations;
+  constexpr double overlong = 2.5;      // in σ: the next round would split such an edge again
+  constexpr double mending_part = 0.9;  // the last iterations only settle what was mended
+  const double progress = options.iterations == 1 ? 1.0 : (i - 1.0) / (options.iterations - 1.0);
   const double goal = (first_target + (1.0 - first_target) * progress) * options.target_edge_length;
   const double average = mean_edge_length(mesh);
   const double corrected =
