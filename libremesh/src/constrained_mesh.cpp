@@ -1,6 +1,41 @@
 #include "constrained_mesh.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace trivalent::remesh {
+
+namespace {
+
+/// Interleaves the lowest 21 bits of three numbers (Morton order).
+std::uint64_t interleaved(const Eigen::Array3d& cell) {
+  std::uint64_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto bits = static_cast<std::uint64_t>(cell[axis]);
+    for (int bit = 0; bit < 21; ++bit) code |= (bits >> bit & 1U) << (3 * bit + axis);
+  }
+  return code;
+}
+
+std::vector<VertexHandle> along_space_filling_curve(const TriMesh& mesh) {
+  constexpr double cells = 2097151.0;  // 2^21 - 1 along the longest side
+  const BoundingBox box = bounding_box(mesh);
+  const double scale = box.longest_side() > 0.0 ? cells / box.longest_side() : 0.0;
+  std::vector<std::pair<std::uint64_t, VertexHandle>> places;
+  places.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) {
+    places.emplace_back(interleaved((mesh.point(v) - box.low).array() * scale), v);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<VertexHandle> order;
+  order.reserve(places.size());
+  for (const auto& [code, v] : places) order.push_back(v);
+  return order;
+}
+
+}  // namespace
 
 ConstrainedMesh::ConstrainedMesh(TriMesh& original, std::optional<double> feature_angle)
     : mesh(original),
@@ -14,6 +49,45 @@ ConstrainedMesh::ConstrainedMesh(TriMesh& original, std::optional<double> featur
     anchor.kind = curves_.kind(v);
     if (anchor.kind == FeatureKind::curve) anchor.on_curve = curves_.at(v);
     for (const auto f : v.faces()) anchor.face = f.idx();
+  }
+}
+
+void ConstrainedMesh::renumber() {
+  const std::vector<VertexHandle> order = along_space_filling_curve(mesh);
+  std::vector<int> number(order.size());
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Anchor> anchors;
+  for (const VertexHandle v : order) {
+    number[index(v)] = static_cast<int>(positions.size());
+    positions.push_back(mesh.point(v));
+    anchors.push_back(anchors_[v]);
+  }
+  struct CurveEdge {
+    VertexHandle from, to;
+    int curve;
+  };
+  std::vector<CurveEdge> curve_edges;
+  const auto renumbered = [&](VertexHandle v) { return VertexHandle(number[index(v)]); };
+  for (const auto e : mesh.edges()) {
+    if (curve_of_[e])
+      curve_edges.push_back({renumbered(e.v0()), renumbered(e.v1()), *curve_of_[e]});
+  }
+  std::vector<std::array<int, 3>> triangles = triangles_of(mesh);
+  for (auto& [a, b, c] : triangles) {
+    a = number[static_cast<std::size_t>(a)];
+    b = number[static_cast<std::size_t>(b)];
+    c = number[static_cast<std::size_t>(c)];
+  }
+  std::ranges::sort(triangles, {}, [](const auto& t) { return std::min({t[0], t[1], t[2]}); });
+
+  mesh.clean_keep_reservation();
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    anchors_[mesh.add_vertex(positions[i])] = anchors[i];
+  for (const auto& [a, b, c] : triangles)
+    mesh.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
+  for (const auto e : mesh.edges()) curve_of_[e] = std::nullopt;
+  for (const CurveEdge& e : curve_edges) {
+    curve_of_[mesh.edge_handle(mesh.find_halfedge(e.from, e.to))] = e.curve;
   }
 }
 

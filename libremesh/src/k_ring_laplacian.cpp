@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace trivalent::remesh {
@@ -27,6 +28,9 @@ OneRings one_rings_of(const TriMesh& mesh) {
   return rings;
 }
 
+/// 1/S_j; the center itself has no weight.
+double weight_of(int hops) { return hops == 0 ? 0.0 : 1.0 / hops; }
+
 struct Hop {
   int vertex = 0;
   int hops = 0;     // S_j
@@ -34,7 +38,7 @@ struct Hop {
   Eigen::Vector3d offset =
       Eigen::Vector3d::Zero();  // from the center, unfolded: mean over the parents
 
-  [[nodiscard]] double weight() const { return hops == 0 ? 0.0 : 1.0 / hops; }
+  [[nodiscard]] double weight() const { return weight_of(hops); }
 };
 
 /// What lies in the plane of normal n, at full length.
@@ -104,23 +108,18 @@ Positions positions_of(const TriMesh& mesh) {
   return positions;
 }
 
-/// Rows of the system for a run of vertices.
+/// Rows of the matrix for a run of vertices; its values follow from the hops.
 struct Rows {
   std::vector<int> sizes;  // entries per row
   std::vector<int> columns;
-  std::vector<double> values;
+  std::vector<std::uint8_t> hops;
 };
 
 void append_row(const std::vector<Hop>& found, Rows& rows) {
-  double sum = 0.0;
-  std::size_t diagonal = 0;
   for (const Hop& hop : found) {
-    if (hop.hops == 0) diagonal = rows.values.size();
     rows.columns.push_back(hop.vertex);
-    rows.values.push_back(-hop.weight());
-    sum += hop.weight();
+    rows.hops.push_back(static_cast<std::uint8_t>(hop.hops));
   }
-  rows.values[diagonal] = sum;
   rows.sizes.push_back(static_cast<int>(found.size()));
 }
 
@@ -145,19 +144,27 @@ double folding_of(const std::vector<Hop>& found, const std::vector<Eigen::Vector
 SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
   SparseMatrix matrix(n, n);
   int* begin = matrix.outerIndexPtr();
-  std::size_t total = 0;
   for (const Rows& run : runs) {
     for (const int size : run.sizes) {
-      total += static_cast<std::size_t>(size);
-      *++begin = static_cast<int>(total);
+      begin[1] = begin[0] + size;
+      ++begin;
     }
   }
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(total));
+  matrix.resizeNonZeros(*begin);
   int* column = matrix.innerIndexPtr();
   double* value = matrix.valuePtr();
   for (const Rows& run : runs) {
     column = std::ranges::copy(run.columns, column).out;
-    value = std::ranges::copy(run.values, value).out;
+    value = std::ranges::transform(run.hops, value, [](int hops) { return -weight_of(hops); }).out;
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double sum = 0.0;
+    double* diagonal = nullptr;
+    for (SparseMatrix::InnerIterator entry(matrix, i); entry; ++entry) {
+      sum -= entry.value();
+      if (entry.col() == i) diagonal = &entry.valueRef();
+    }
+    *diagonal = sum;
   }
   return matrix;
 }
