@@ -2,15 +2,17 @@
 # Times force evaluations of REBO here and in LAMMPS (pair_style rebo), in turns on the same machine,
 # one core each; then two threads against one. Needs Debian's lammps and a build with
 # -DTRIVALENT_BUILD_BENCHMARKS=ON.
-# usage: scripts/bench_lammps.sh [BUILD_FOLDER [SHELL.xyz]]     SHELL: a network to use as the shell
+# usage: scripts/bench_lammps.sh [BUILD_FOLDER [SHELL.xyz]]     SHELL: a network to use as the shell;
+# without one, the dual of a remeshed double torus of 50,000 atoms
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=${1:-$here/../build/release}
-shell=${2:-shell}
 rounds=${ROUNDS:-5}
 potentials=${LAMMPS_POTENTIALS:-/usr/share/lammps/potentials}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+shell=${2:-$folder/shell/shell.extxyz}
+[ $# -ge 2 ] || "$build/bin/trivalent" build double-torus --atoms 50000 -o "$folder/shell" --quiet >/dev/null
 
 median() { sort -g "$1" | awk '{v[NR] = $1} END {print (NR % 2) ? v[(NR+1)/2] : (v[NR/2] + v[NR/2+1]) / 2}'; }
 
