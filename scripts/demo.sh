@@ -21,5 +21,5 @@ echo "  report.json    quality, distances, energies and timings"
 if command -v lmp >/dev/null; then
   echo
   echo "LAMMPS on the same shell (lmp -in in.check):"
-  (cd "$results" && LAMMPS_POTENTIALS=$potentials lmp -in in.check -log none | grep -i 'energy' | tail -n 3)
+  (cd "$results" && LAMMPS_POTENTIALS=$potentials lmp -in in.check -log none | grep -E '^(energy|expected|passed|FAILED)')
 fi
