@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
-#include <numeric>
+#include <algorithm>
 
 #include "k_ring_laplacian.h"
 #include "tangent_laplacian.h"
@@ -23,10 +23,8 @@ constexpr double solver_tolerance = 1e-2;
 /// iterations and has no unique minimum on a plane or cylinder; damped, waves longer than some ten
 /// edges stay, the system is positive definite, and the solver's steps do not grow with the mesh.
 constexpr double damping = 0.05;
-/// The same per unit of folding beyond what is harmless: where the surface turns within the rings,
-/// as at a fingertip, the tangent plane says little of where to go.
-constexpr double damping_at_folds = 3.0;
-constexpr double harmless_folding = 0.2;
+/// Stiffness of an edge as a spring, per unit of folding, against a weight w_ij of 1.
+constexpr double spring_stiffness = 10.0;
 /// Weight of a restriction row against a Laplacian row of weight 1.
 constexpr double restriction_weight = 10.0;
 
@@ -139,6 +137,30 @@ Positions least_squares_displacements(const ConstrainedMesh& constrained,
   return Eigen::Map<const Positions>(displacements.data(), system.gradient.rows(), 3);
 }
 
+/// Where the surface folds within the rings, edges pull and push as springs of the mean length, one
+/// step of Newton's method with the other end held: at a fingertip or an ear centroids say little
+/// of where to go, and the bare relaxation drains it over the iterations. On flat parts nothing
+/// changes.
+void add_springs_at_folds(const TriMesh& mesh, KRingSystem& system) {
+  const double mean_length = mean_edge_length(mesh);
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(system.laplacian.rows());
+  for (const auto e : mesh.edges()) {
+    const int i = e.v0().idx();
+    const int j = e.v1().idx();
+    const Eigen::Vector3d edge = mesh.point(e.v1()) - mesh.point(e.v0());
+    const double length = edge.norm();
+    if (length == 0.0) continue;
+    const double folding = std::min(1.0, 0.5 * (system.folding[i] + system.folding[j]));
+    const double spring = spring_stiffness * folding;
+    const Eigen::Vector3d pull = spring * (1.0 - mean_length / length) * edge;
+    system.gradient.row(i) -= pull.transpose();
+    system.gradient.row(j) += pull.transpose();
+    stiffness[i] += spring;
+    stiffness[j] += spring;
+  }
+  system.laplacian.diagonal() += stiffness;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3d> relaxed_positions(const ConstrainedMesh& constrained,
@@ -149,8 +171,8 @@ std::vector<Eigen::Vector3d> relaxed_positions(const ConstrainedMesh& constraine
     normals[static_cast<std::size_t>(i)] = constrained.normal(VertexHandle(static_cast<int>(i)));
   });
   KRingSystem system = k_ring_system(mesh, normals, options.rings);
-  system.laplacian.diagonal().array() *=
-      1.0 + damping + damping_at_folds * (system.folding.array() - harmless_folding).max(0.0);
+  system.laplacian.diagonal() *= 1.0 + damping;
+  add_springs_at_folds(mesh, system);
   const Positions displacements = options.restriction == Restriction::hard
                                       ? hard_displacements(constrained, system)
                                       : least_squares_displacements(constrained, system);
