@@ -10,19 +10,31 @@ namespace trivalent::remesh {
 
 namespace {
 
+/// What lies in the plane of normal n, at full length.
+Eigen::Vector3d flattened(const Eigen::Vector3d& d, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d in_plane = d - n.dot(d) * n;
+  const double length = in_plane.norm();
+  return length > 0.0 ? Eigen::Vector3d(d.norm() / length * in_plane) : in_plane;
+}
+
 /// One-rings of all vertices, one after the other.
 struct OneRings {
   std::vector<int> begin;
   std::vector<int> vertices;
+  std::vector<Eigen::Vector3d> edges;  // to them, flattened into the tangent plane of the center
 };
 
-OneRings one_rings_of(const TriMesh& mesh) {
+OneRings one_rings_of(const TriMesh& mesh, const std::vector<Eigen::Vector3d>& normals) {
   OneRings rings;
   rings.begin.reserve(mesh.n_vertices() + 1);
   rings.vertices.reserve(2 * mesh.n_edges());
+  rings.edges.reserve(2 * mesh.n_edges());
   rings.begin.push_back(0);
   for (const auto v : mesh.vertices()) {
-    for (const auto neighbor : v.vertices()) rings.vertices.push_back(neighbor.idx());
+    for (const auto neighbor : v.vertices()) {
+      rings.vertices.push_back(neighbor.idx());
+      rings.edges.push_back(flattened(mesh.point(neighbor) - mesh.point(v), normals[index(v)]));
+    }
     rings.begin.push_back(static_cast<int>(rings.vertices.size()));
   }
   return rings;
@@ -41,31 +53,34 @@ struct Hop {
   [[nodiscard]] double weight() const { return weight_of(hops); }
 };
 
-/// What lies in the plane of normal n, at full length.
-Eigen::Vector3d flattened(const Eigen::Vector3d& d, const Eigen::Vector3d& n) {
-  const Eigen::Vector3d in_plane = d - n.dot(d) * n;
-  const double length = in_plane.norm();
-  return length > 0.0 ? Eigen::Vector3d(d.norm() / length * in_plane) : in_plane;
-}
+/// The smallest rotation that turns the plane of one normal into that of another.
+class PlaneRotation {
+ public:
+  PlaneRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+      : to_(to), sum_(from + to), cosine_(from.dot(to)) {}
 
-/// Turns d, in the plane of normal `from`, into that of normal `to` by the smallest rotation.
-Eigen::Vector3d turned(const Eigen::Vector3d& d, const Eigen::Vector3d& from,
-                       const Eigen::Vector3d& to) {
-  const double cosine = from.dot(to);
-  if (cosine < -0.99) return d;  // the rotation has no definite axis
-  return d - to.dot(d) / (1.0 + cosine) * (from + to);
-}
+  /// d must lie in the first plane.
+  [[nodiscard]] Eigen::Vector3d operator()(const Eigen::Vector3d& d) const {
+    if (cosine_ < -0.99) return d;  // the rotation has no definite axis
+    return d - to_.dot(d) / (1.0 + cosine_) * sum_;
+  }
+
+ private:
+  Eigen::Vector3d to_;
+  Eigen::Vector3d sum_;
+  double cosine_;
+};
 
 /// Walks the rings around a vertex.
 class RingWalk {
  public:
-  RingWalk(const Positions& positions, const OneRings& one_rings,
-           const std::vector<Eigen::Vector3d>& normals)
-      : positions_(positions), one_rings_(one_rings), normals_(normals) {}
+  RingWalk(const OneRings& one_rings, const std::vector<Eigen::Vector3d>& normals)
+      : one_rings_(one_rings), normals_(normals) {}
 
   /// All vertices within that many rings, the center included, by index.
   const std::vector<Hop>& around(int center, int rings) {
     found_.assign(1, Hop{center});
+    vertices_.assign(1, center);
     std::size_t ring_begin = 0;
     for (int hops = 1; hops <= rings; ++hops) {
       const std::size_t ring_end = found_.size();
@@ -80,33 +95,28 @@ class RingWalk {
  private:
   void reach_from(std::size_t parent, int hops) {
     const auto v = static_cast<std::size_t>(found_[parent].vertex);
-    const Eigen::Vector3d& normal = normals_[v];
-    const Eigen::Vector3d& center_normal = normals_[static_cast<std::size_t>(found_[0].vertex)];
+    const PlaneRotation rotation(normals_[v], normals_[static_cast<std::size_t>(found_[0].vertex)]);
     for (int at = one_rings_.begin[v]; at < one_rings_.begin[v + 1]; ++at) {
       const int w = one_rings_.vertices[static_cast<std::size_t>(at)];
       // A handful of vertices: looking through them beats marking all vertices of the mesh.
-      auto known = std::ranges::find(found_, w, &Hop::vertex);
-      if (known == found_.end()) known = found_.insert(found_.end(), Hop{w, hops});
-      if (known->hops != hops) continue;
-      const Eigen::Vector3d edge =
-          (positions_.row(w) - positions_.row(found_[parent].vertex)).transpose();
-      known->offset +=
-          found_[parent].offset + turned(flattened(edge, normal), normal, center_normal);
-      ++known->parents;
+      const auto known =
+          static_cast<std::size_t>(std::ranges::find(vertices_, w) - vertices_.begin());
+      if (known == found_.size()) {
+        vertices_.push_back(w);
+        found_.push_back(Hop{w, hops});
+      }
+      if (found_[known].hops != hops) continue;
+      const Eigen::Vector3d& edge = one_rings_.edges[static_cast<std::size_t>(at)];
+      found_[known].offset += found_[parent].offset + rotation(edge);
+      ++found_[known].parents;
     }
   }
 
-  const Positions& positions_;
   const OneRings& one_rings_;
   const std::vector<Eigen::Vector3d>& normals_;
   std::vector<Hop> found_;
+  std::vector<int> vertices_;  // of found_, in the order they were reached
 };
-
-Positions positions_of(const TriMesh& mesh) {
-  Positions positions(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
-  for (const auto v : mesh.vertices()) positions.row(v.idx()) = mesh.point(v).transpose();
-  return positions;
-}
 
 /// Rows of the matrix for a run of vertices; its values follow from the hops.
 struct Rows {
@@ -174,15 +184,14 @@ SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
 KRingSystem k_ring_system(const TriMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
                           int rings) {
   constexpr std::size_t run_length = 4096;
-  const OneRings one_rings = one_rings_of(mesh);
-  const Positions positions = positions_of(mesh);
+  const OneRings one_rings = one_rings_of(mesh, normals);
   const std::size_t n = mesh.n_vertices();
   std::vector<Rows> runs((n + run_length - 1) / run_length);
   KRingSystem system;
   system.gradient.resize(static_cast<Eigen::Index>(n), 3);
   system.folding.resize(static_cast<Eigen::Index>(n));
   tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t run) {
-    RingWalk walk(positions, one_rings, normals);
+    RingWalk walk(one_rings, normals);
     for (std::size_t i = run * run_length; i < std::min(n, (run + 1) * run_length); ++i) {
       const std::vector<Hop>& found = walk.around(static_cast<int>(i), rings);
       append_row(found, runs[run]);
