@@ -21,14 +21,15 @@ struct ScaleForSize {
   double operator()(const MeanBond& bond) const {
     check_positive("the bond length", bond.length);
     const double mean = mean_bond_length(build_dual(mesh));
-    if (mean > 0.0) return bond.length / mean;
-    throw InvalidNetwork("scale_for_size: the dual has no bonds to measure; give a scale instead");
+    if (mean > 0.0 && std::isfinite(mean)) return bond.length / mean;
+    throw InvalidNetwork(
+        "scale_for_size: the dual has no bonds of a finite length; give a scale instead");
   }
   double operator()(const LongestSide& side) const {
     check_positive("the longest side", side.length);
     const double longest = remesh::bounding_box(mesh).longest_side();
-    if (longest > 0.0) return side.length / longest;
-    throw InvalidNetwork("scale_for_size: the mesh has no extent");
+    if (longest > 0.0 && std::isfinite(longest)) return side.length / longest;
+    throw InvalidNetwork("scale_for_size: the mesh has no finite extent");
   }
   double operator()(const Scale& scale) const {
     check_positive("the scale", scale.factor);

@@ -17,6 +17,11 @@ namespace {
 
 void check(const TriMesh& mesh, const RemeshOptions& options) {
   if (mesh.n_faces() == 0) throw InvalidMesh("remesh: the mesh has no faces");
+  for (const auto v : mesh.vertices()) {
+    if (mesh.is_isolated(v)) {
+      throw InvalidMesh(concat("remesh: vertex ", v.idx(), " belongs to no face; remove it"));
+    }
+  }
   const double m = options.target_edge_length;
   if (!(m > 0.0) || !std::isfinite(m)) {
     throw InvalidOption(
@@ -69,15 +74,29 @@ std::vector<Component> components_of(const TriMesh& mesh) {
   return components;
 }
 
+/// More would not fit into the memory of most machines (about 1 kB per face).
+constexpr double most_faces = 2e7;
+
 void check_that_target_fits(const TriMesh& mesh, double target) {
-  const double area_per_face = std::sqrt(3.0) / 4.0 * target * target;
+  const double unit_area = std::sqrt(3.0) / 4.0;  // of an equilateral triangle of edge 1
+  double area = 0.0;
   for (const Component& component : components_of(mesh)) {
+    area += component.area;
+    if (!(component.area > 0.0) || !std::isfinite(component.area)) {
+      throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
+                               "; remove flat parts, or scale the mesh to ordinary numbers"));
+    }
     const double least_faces = component.closed ? 20.0 : 2.0;
-    if (component.area >= least_faces * area_per_face) continue;
+    const double largest = std::sqrt(component.area / least_faces / unit_area);
+    if (target <= largest) continue;
     throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
                                component.closed ? "a closed" : "an open", " part of area ",
-                               component.area, "; it can hold at most ",
-                               target * std::sqrt(component.area / (least_faces * area_per_face))));
+                               component.area, "; it can hold at most ", largest));
+  }
+  const double smallest = std::sqrt(area / most_faces / unit_area);
+  if (target < smallest) {
+    throw InvalidOption(concat("remesh: a target edge length of ", target, " on an area of ", area,
+                               " makes more than ", most_faces, " faces; use at least ", smallest));
   }
 }
 

@@ -58,12 +58,11 @@ void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vecto
     if (turned.empty()) break;
     // A face whose three vertices stay does not turn, so this ends.
     for (const VertexHandle v : turned) {
-      const double part = attempt < half_steps ? 0.5 : 0.0;
-      const Eigen::Vector3d back = before[index(v)] + part * (after[index(v)] - before[index(v)]);
       if (attempt < half_steps) {
-        project(v, back);
+        project(v, 0.5 * (before[index(v)] + after[index(v)]));
       } else {
-        after[index(v)] = back;
+        project(v, before[index(v)]);  // for the anchor's sake
+        after[index(v)] = before[index(v)];
       }
     }
   }

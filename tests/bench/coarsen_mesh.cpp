@@ -1,5 +1,5 @@
-// coarsen_mesh IN.off OUT.off VERTICES: CGAL's edge-collapse simplification down to a number of vertices.
-// Makes the irregular start mesh of the paper's Table 1 from a scan with more vertices.
+// coarsen_mesh IN.off OUT.off VERTICES: CGAL's edge-collapse simplification down to a number of
+// vertices. Makes the irregular start mesh of the paper's Table 1 from a scan with more vertices.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -130,6 +130,25 @@ TEST(Remesh, ThrowsOnAnEmptyMesh) {
   EXPECT_THROW((void)remesh(TriMesh(), {.target_edge_length = 1.0}), InvalidMesh);
 }
 
+TEST(Remesh, ThrowsOnAVertexWithoutAFace) {
+  TriMesh mesh = make_shape("sphere", {}, 0.5);
+  mesh.add_vertex({5.0, 5.0, 5.0});
+  EXPECT_THROW((void)remesh(mesh, {.target_edge_length = 0.3}), InvalidMesh);
+}
+
+TEST(Remesh, ThrowsOnAMeshWhoseAreaIsZeroOrOverflows) {
+  for (const double factor : {0.0, 1e300}) {
+    TriMesh mesh = make_shape("sphere", {}, 0.5);
+    scale(mesh, factor);
+    EXPECT_THROW((void)remesh(mesh, {.target_edge_length = 0.3}), InvalidMesh) << factor;
+  }
+}
+
+TEST(Remesh, ThrowsOnATargetThatNeedsTooManyFaces) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.5);
+  EXPECT_THROW((void)remesh(sphere, {.target_edge_length = 1e-9}), InvalidOption);
+}
+
 TEST(Remesh, ThrowsOnOptionsOutOfRange) {
   const TriMesh sphere = make_shape("sphere", {}, 0.5);
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -13,8 +13,8 @@ enum class Species : std::uint8_t { carbon, hydrogen };
 /// The simulation cell. A cluster in free space has no periodic direction; its cell is then only a
 /// frame for file formats and has no influence on energies.
 struct Box {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   ///< lower corner [Å]
-  Eigen::Matrix3d cell = Eigen::Matrix3d::Zero();     ///< cell vectors as columns [Å]
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< lower corner [Å]
+  Eigen::Matrix3d cell = Eigen::Matrix3d::Zero();        ///< cell vectors as columns [Å]
   std::array<bool, 3> periodic = {false, false, false};  ///< along each cell vector
   [[nodiscard]] bool is_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
 };
