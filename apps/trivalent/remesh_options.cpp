@@ -32,7 +32,8 @@ void add_remesh_options(po::options_description& options) {
       ("restriction", with_default(std::string(name_of(defaults.restriction))),
        "how vertices are kept in their tangent planes: hard or least-squares")  //
       ("feature-angle", po::value<double>(),
-       "edges sharper than this [degrees] are creases and stay; default: none are");
+       "edges sharper than this [degrees] are creases and stay; default: none are")  //
+      ("seed", with_default(0), "of random numbers; the paper's method draws none");
 }
 
 remesh::RemeshOptions remesh_options(const Session& session) {
@@ -44,6 +45,9 @@ remesh::RemeshOptions remesh_options(const Session& session) {
   options.tolerance = session.get<double>("sigma");
   options.restriction = restriction_called(session.get<std::string>("restriction"));
   if (const auto degrees = session.find<double>("feature-angle")) {
+    if (!(*degrees > 0.0 && *degrees < 180.0)) {
+      throw UsageError("--feature-angle must lie between 0 and 180 degrees");
+    }
     options.feature_angle = *degrees * std::numbers::pi / 180.0;
   }
   options.on_progress = [&session](const remesh::RemeshProgress& state) {
