@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "face_guard.h"
@@ -20,23 +22,33 @@ struct Candidate {
 
 int squared(int deviation) { return deviation * deviation; }
 
+/// Valence deviations of v1 to v4 around an edge.
+using Deviations = std::array<int, 4>;
+
 /// A collapse merges v1 and v3 into a vertex of valence v1 + v3 - 4 and takes an edge from v2 and
-/// v4; a split makes a vertex of valence 4 and gives an edge to v2 and v4.
+/// v4.
+bool collapse_mends_valences(const Deviations& d) {
+  return squared(d[0] + d[2] + 2) + squared(d[1] - 1) + squared(d[3] - 1) <
+         squared(d[0]) + squared(d[1]) + squared(d[2]) + squared(d[3]);
+}
+
+/// A split makes a vertex of valence 4 and gives an edge to v2 and v4.
+bool split_mends_valences(const Deviations& d) {
+  return squared(4 - 6) + squared(d[1] + 1) + squared(d[3] + 1) < squared(d[1]) + squared(d[3]);
+}
+
+/// An edge within the limits whose operation mends valences: collapse below the target, split
+/// above.
 bool mends_valences(const TriMesh& mesh, EdgeHandle e, const std::vector<int>& deviations,
-                    bool by_collapse) {
+                    double target) {
+  if (mesh.is_boundary(e)) return false;
   const auto [v1, v2, v3, v4] = neighborhood_of(mesh, e);
   for (const VertexHandle v : {v1, v2, v3, v4}) {
     if (mesh.is_boundary(v)) return false;
   }
-  const int d1 = deviations[index(v1)];
-  const int d2 = deviations[index(v2)];
-  const int d3 = deviations[index(v3)];
-  const int d4 = deviations[index(v4)];
-  if (by_collapse) {
-    return squared(d1 + d3 + 2) + squared(d2 - 1) + squared(d4 - 1) <
-           squared(d1) + squared(d2) + squared(d3) + squared(d4);
-  }
-  return squared(-2) + squared(d2 + 1) + squared(d4 + 1) < squared(d2) + squared(d4);
+  const Deviations d = {deviations[index(v1)], deviations[index(v2)], deviations[index(v3)],
+                        deviations[index(v4)]};
+  return mesh.calc_edge_length(e) < target ? collapse_mends_valences(d) : split_mends_valences(d);
 }
 
 /// [Pecanha2013, Algorithm 2]
@@ -47,8 +59,8 @@ std::vector<Candidate> priority_list(const TriMesh& mesh, const StellarLimits& l
   for (const auto e : mesh.edges()) {
     const double length = mesh.calc_edge_length(e);
     const bool out_of_range = length > limits.longest || length < limits.shortest;
-    const bool is_mended = !out_of_range && limits.mends_valences && !e.is_boundary() &&
-                           mends_valences(mesh, e, deviations, length < limits.target);
+    const bool is_mended = !out_of_range && limits.mends_valences &&
+                           mends_valences(mesh, e, deviations, limits.target);
     if (out_of_range || is_mended) list.push_back({e, std::abs(length - limits.target)});
   }
   // Ties keep their order, so that the result is the same everywhere.
