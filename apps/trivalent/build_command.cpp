@@ -234,9 +234,9 @@ std::vector<TableRow> summary_rows(const BuildRecord& record) {
   return rows;
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_build());
-  if (!session) return;
+  if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which folder the results go");
   static_cast<void>(digits(*session));
   static_cast<void>(atom_style(*session));
@@ -257,6 +257,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
   result.table.push_back({"results"});
   result.table.push_back({"folder", folder.string()});
   session->terminal.print(result);
+  return done;
 }
 
 }  // namespace

@@ -6,12 +6,18 @@
 
 namespace trivalent::apps {
 
+// Exit codes.
+inline constexpr int done = 0;
+inline constexpr int failed = 1;
+inline constexpr int wrong_usage = 2;
+
 /// One subcommand of the program.
 struct Command {
   std::string_view name;
   std::string_view synopsis;  ///< arguments in the usage line
   std::string_view meaning;   ///< one line for the list of subcommands
-  void (*run)(const Command& self, std::span<const std::string> arguments);
+  /// Returns the exit code.
+  int (*run)(const Command& self, std::span<const std::string> arguments);
 };
 
 extern const Command build_command;

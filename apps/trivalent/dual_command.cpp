@@ -30,9 +30,9 @@ void write_network(const dual::Network& network, const Session& session) {
   }
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
-  if (!session) return;
+  if (!session) return done;
   const dual::DualSize size = dual_size(*session);
   static_cast<void>(digits(*session));
   static_cast<void>(atom_style(*session));
@@ -51,6 +51,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
   append(result.table, network_rows(report));
   result.json["network"] = network_json(report);
   session->terminal.print(result);
+  return done;
 }
 
 }  // namespace

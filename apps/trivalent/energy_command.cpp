@@ -158,9 +158,9 @@ void check_options(const Session& session) {
   }
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_energy());
-  if (!session) return;
+  if (!session) return done;
   check_options(*session);
   Subject subject = read_subject(session->get<std::string>("FILE"), *session);
   if (const auto periodic = session->find<std::string>("periodic")) {
@@ -169,6 +169,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
   const potentials::EnergyForces energy = evaluate(subject.frame.atoms, *session);
   if (session->has("output")) write_result(subject, energy, *session);
   session->terminal.print(describe(subject, energy, *session));
+  return done;
 }
 
 }  // namespace

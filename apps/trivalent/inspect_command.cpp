@@ -15,13 +15,13 @@ void add_target(const remesh::MeshQuality& quality, double target, Result& resul
   result.json["mean_over_target"] = ratio;
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   Grammar grammar = {.arguments = {"MESH"}, .options = po::options_description("Options")};
   grammar.options.add_options()                                                     //
       ("against", po::value<std::string>(), "mesh file to measure distances from")  //
       ("edge", po::value<double>(), "wanted edge length to compare with, in units of the mesh");
   const auto session = start(self, arguments, grammar);
-  if (!session) return;
+  if (!session) return done;
 
   const auto& path = session->get<std::string>("MESH");
   const remesh::TriMesh mesh = read_mesh_file(path, session->terminal);
@@ -37,6 +37,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
     result.json["distance"] = distance_json(distance);
   }
   session->terminal.print(result);
+  return done;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command.h"
+#include "interruption.h"
 #include "session.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/potentials/error.h"
@@ -14,14 +15,10 @@
 namespace trivalent::apps {
 namespace {
 
-constexpr int done = 0;
-constexpr int failed = 1;
-constexpr int wrong_usage = 2;
-
 const std::array<const Command*, 6> commands = {&build_command,  &remesh_command,  &dual_command,
                                                 &energy_command, &inspect_command, &shape_command};
 
-void print_help() {
+int print_help() {
   std::cout << "Usage: trivalent COMMAND ...\n\nTurns a triangle surface into a carbon shell.\n\n";
   for (const Command* command : commands) {
     std::cout << "  trivalent " << command->name << ' ' << command->synopsis << "\n      "
@@ -30,15 +27,16 @@ void print_help() {
   std::cout
       << "\nEvery command explains itself with --help; trivalent --version tells the version.\n"
       << "Exit codes: 0 done, 1 failed, 2 wrong usage.\n";
+  return done;
 }
 
-void run(const std::vector<std::string>& words) {
+int run(const std::vector<std::string>& words) {
   if (words.empty()) throw UsageError("no command; see trivalent --help");
   const std::string& name = words.front();
   if (name == "--help" || name == "-h" || name == "help") return print_help();
   if (name == "--version") {
     std::cout << "trivalent " TRIVALENT_VERSION "\n";
-    return;
+    return done;
   }
   for (const Command* command : commands) {
     if (command->name != name) continue;
@@ -54,10 +52,10 @@ int complain(const char* message, int exit_code) {
 
 int run_and_report(const std::vector<std::string>& words) {
   try {
-    run(words);
+    const int exit_code = run(words);
     std::cout.flush();
     if (!std::cout) return complain("cannot write to standard output", failed);
-    return done;
+    return exit_code;
   } catch (const UsageError& error) {
     return complain(error.what(), wrong_usage);
   } catch (const boost::program_options::error& error) {
@@ -79,5 +77,6 @@ int run_and_report(const std::vector<std::string>& words) {
 }  // namespace trivalent::apps
 
 int main(int argc, char** argv) {
+  trivalent::apps::handle_interruptions();
   return trivalent::apps::run_and_report(std::vector<std::string>(argv + 1, argv + argc));
 }

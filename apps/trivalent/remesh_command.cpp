@@ -20,9 +20,9 @@ Grammar grammar_of_remesh() {
   return grammar;
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_remesh());
-  if (!session) return;
+  if (!session) return done;
   if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
   remesh::RemeshOptions options = remesh_options(*session);
   options.target_edge_length = session->get<double>("edge");
@@ -44,6 +44,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
   result.json["quality"] = quality_json(quality);
   result.json["distance"] = distance_json(distance);
   session->terminal.print(result);
+  return done;
 }
 
 }  // namespace

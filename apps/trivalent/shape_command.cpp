@@ -22,14 +22,14 @@ Result describe(const remesh::TriMesh& mesh, const std::string& output) {
                    {"area", remesh::surface_area(mesh)}}};
 }
 
-void run(const Command& self, std::span<const std::string> arguments) {
+int run(const Command& self, std::span<const std::string> arguments) {
   Grammar grammar = {.arguments = {"NAME", "OUT"}, .options = po::options_description("Options")};
   grammar.options.add_options()  //
       ("edge", with_default(default_edge_length),
        "edge length of the triangles, in units of the shape");
   grammar.epilog = shapes_help();
   const auto session = start(self, arguments, grammar);
-  if (!session) return;
+  if (!session) return done;
 
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
@@ -38,6 +38,7 @@ void run(const Command& self, std::span<const std::string> arguments) {
       remesh::make_shape(call.name, call.arguments, session->get<double>("edge"));
   remesh::write_mesh(mesh, output);
   session->terminal.print(describe(mesh, output));
+  return done;
 }
 
 }  // namespace

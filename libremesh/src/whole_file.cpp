@@ -1,16 +1,15 @@
 #include "trivalent/remesh/whole_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <ostream>
 #include <streambuf>
 #include <system_error>
-#include <utility>
 #include <vector>
 
+#include "part_file.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -18,29 +17,6 @@ namespace trivalent::remesh {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const fs::path& path, std::string_view what, int error_number) {
-  throw FileError(concat("write_whole_file: ", path.string(), ": ", what, ": ",
-                         std::generic_category().message(error_number)));
-}
-
-/// Owns a file descriptor; close() reports what the destructor cannot.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
-
- private:
-  int number_;
-};
 
 /// Stream buffer over a descriptor that remembers why writing failed.
 class DescriptorBuffer : public std::streambuf {
@@ -84,66 +60,27 @@ void write_through(const fs::path& path, const Descriptor& file,
   std::ostream out(&buffer);
   write(out);
   out.flush();
-  if (buffer.error_number() != 0) fail(path, "cannot be written", buffer.error_number());
+  if (buffer.error_number() != 0) fail_to_write(path, "cannot be written", buffer.error_number());
   if (!out) throw FileError(concat("write_whole_file: ", path.string(), ": cannot be written"));
 }
 
 void write_directly(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.number() < 0) fail(path, "cannot be opened for writing", errno);
+  if (file.number() < 0) fail_to_write(path, "cannot be opened for writing", errno);
   write_through(path, file, write);
-  if (!file.close()) fail(path, "cannot be written", errno);
+  if (!file.close()) fail_to_write(path, "cannot be written", errno);
 }
-
-/// A file under a name of its own, in the folder of the wanted one; removed unless it was kept.
-class PartFile {
- public:
-  explicit PartFile(const fs::path& target) : target_(target), file_(open_new()) {}
-  PartFile(const PartFile&) = delete;
-  PartFile(PartFile&&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  PartFile& operator=(PartFile&&) = delete;
-  ~PartFile() {
-    if (!kept_) ::unlink(path_.c_str());
-  }
-
-  [[nodiscard]] const Descriptor& file() const { return file_; }
-
-  void keep() {
-    if (::fsync(file_.number()) != 0 && errno != EINVAL) fail(target_, "cannot be written", errno);
-    if (!file_.close()) fail(target_, "cannot be written", errno);
-    if (::rename(path_.c_str(), target_.c_str()) != 0) fail(target_, "cannot be replaced", errno);
-    kept_ = true;
-  }
-
- private:
-  /// Sets path_ to a name that nobody else has and opens it.
-  int open_new() {
-    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
-    for (int attempt = 0;; ++attempt) {
-      path_ = folder / concat(".trivalent-", ::getpid(), '-', attempt, ".part");
-      const int number = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (number >= 0) return number;
-      if (errno != EEXIST) fail(target_, "no file can be made in its folder", errno);
-    }
-  }
-
-  fs::path target_;
-  fs::path path_;
-  bool kept_ = false;
-  Descriptor file_;
-};
 
 }  // namespace
 
 void write_whole_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) fail(path, "cannot be written", EISDIR);
+  if (fs::is_directory(status)) fail_to_write(path, "cannot be written", EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, write);
   // Replacing a file needs no permission to write into it, so ask.
   if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
-    fail(path, "cannot be replaced", errno);
+    fail_to_write(path, "cannot be replaced", errno);
   const fs::path target =
       fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   PartFile part(target);
