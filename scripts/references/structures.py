@@ -221,6 +221,8 @@ def triclinic_graphene():
 def crystals():
     yield "diamond", lattice(DIAMOND, 3.56571570992, 1)
     yield "diamond_disp_010", displaced(lattice(DIAMOND, 3.567, 2), 0.06, 1)
+    # LAMMPS leaves out dihedral factors |T| <= 1e-9 here, and with them forces of 6e-6 eV/Å.
+    yield "diamond_dropped_terms", displaced(lattice(DIAMOND, 3.567, 2), 0.10, 1)
     yield "diamond_compressed", displaced(lattice(DIAMOND, 3.0, 1), 0.15, 2)
     yield "diamond_stretched", displaced(lattice(DIAMOND, 4.1, 1), 0.10, 3)
     yield "simple_cubic", displaced(lattice([(0, 0, 0)], 1.78, 3), 0.05, 4)

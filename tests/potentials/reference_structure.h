@@ -40,8 +40,10 @@ struct Tolerance {
   double relative_force = 1e-7;  ///< of 1 eV/Å + the largest force
 };
 
-/// 1e-12 |E| + 1e-10 eV where all coordinations are integers; else LAMMPS itself loses digits in
-/// its splines and 1e-10 of max(|E|, 1 eV an atom) is allowed.
+/// Total energy: 1e-12 |E| + 1e-10 eV where all coordinations are integers; else LAMMPS itself
+/// loses digits in its splines and 1e-10 of max(|E|, 1 eV an atom) is allowed. Atoms: 1e-8 eV, or
+/// the last digits of the largest energy. Forces: 1e-7 (1 eV/Å + the largest), but for one named
+/// structure.
 [[nodiscard]] Tolerance tolerance_of(const ReferenceStructure& reference);
 
 [[nodiscard]] Deviation deviation(const ReferenceStructure& reference,

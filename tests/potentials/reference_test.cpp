@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "energy_checks.h"
 #include "reference_structure.h"
 #include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/lennard_jones.h"
@@ -32,6 +33,14 @@ void expect_all_agree(const std::string& style, std::size_t fewest, const Potent
 
 TEST(Rebo, AgreesWithLammps) {
   expect_all_agree("rebo", 70, [](const Atoms& atoms) { return rebo(atoms); });
+}
+
+// The one structure where LAMMPS's forces are not the slope of its energy to 1e-7: ours are.
+TEST(Rebo, HasExactForcesWhereLammpsDropsTerms) {
+  const auto reference =
+      testing_support::read_reference(folder + "/diamond_dropped_terms.rebo.extxyz");
+  testing_support::expect_forces_match_energy(
+      reference.atoms, [](const Atoms& atoms) { return rebo(atoms); }, 2e-8);
 }
 
 TEST(Airebo, AgreesWithLammps) {
