@@ -53,8 +53,16 @@ namespace trivalent::bench {
   return atoms;
 }
 
+/// Graphene of 4 cells² atoms, displaced in the same way.
+[[nodiscard]] inline potentials::Atoms graphene_of(int cells) {
+  auto atoms = testing_support::graphene(cells, cells, 1.42);
+  testing_support::displace(atoms, 0.05 / std::sqrt(3.0), 1);
+  return atoms;
+}
+
 /// A structure by its name here, or a file.
 [[nodiscard]] inline potentials::Atoms structure(const std::string& name) {
+  if (name.starts_with("graphene:")) return graphene_of(std::stoi(name.substr(9)));
   if (name == "graphene") return graphene_100k();
   if (name == "shell") return shell_50k();
   return read_xyz(name);

@@ -30,10 +30,7 @@ void evaluate_again(benchmark::State& state, const potentials::Atoms& atoms, std
 
 // Flat from ten thousand atoms to ten million.
 void rebo_by_size(benchmark::State& state) {
-  const auto cells = static_cast<int>(state.range(0));
-  auto atoms = testing_support::graphene(cells, cells, 1.42);
-  testing_support::displace(atoms, 0.05 / std::sqrt(3.0), 1);
-  evaluate_again(state, atoms, 1);
+  evaluate_again(state, bench::graphene_of(static_cast<int>(state.range(0))), 1);
 }
 BENCHMARK(rebo_by_size)->Arg(50)->Arg(158)->Arg(500)->Arg(1580)->UseRealTime();
 

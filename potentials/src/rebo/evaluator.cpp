@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "parallel.h"
 #include "rebo/cutoff.h"
@@ -11,6 +12,8 @@
 namespace trivalent::potentials::rebo_detail {
 
 namespace {
+
+constexpr std::uint32_t prefetched_atoms = 32;  // at a time; a multiple of all kernels' batches
 
 [[nodiscard]] CleanParameters clean_parameters(const Parameters& parameters) {
   const BondParameters& bond = parameters.bond(Species::carbon, Species::carbon);
@@ -33,6 +36,14 @@ namespace {
 template <typename T>
 [[nodiscard]] std::unique_ptr<T[]> without_values(std::size_t count) {
   return std::unique_ptr<T[]>(new T[count]);  // make_unique would write to all of it
+}
+
+// Asks for an array in good time; count may be zero.
+template <typename T>
+void prefetch(const T* begin, std::size_t count) {
+  constexpr std::size_t cache_line = 64;
+  const char* bytes = reinterpret_cast<const char*>(begin);
+  for (std::size_t k = 0; k < count * sizeof(T); k += cache_line) __builtin_prefetch(bytes + k);
 }
 
 struct Largest {
@@ -111,6 +122,8 @@ double Evaluator::copy_positions(const Atoms& atoms) {
   const auto copy_chunk = [&](std::size_t begin, std::size_t end) {
     Largest largest;
     for (std::size_t i = begin; i < end; ++i) {
+      // The caller's order may jump about in memory.
+      if (i + prefetched_atoms < end) prefetch(&atoms.positions[c.order[i + prefetched_atoms]], 1);
       Eigen::Vector3d x = atoms.positions[c.order[i]];
       if (!c.wraps.empty()) {
         const auto& wrap = c.wraps[i];
@@ -284,14 +297,45 @@ Totals Evaluator::evaluate_tile(std::size_t tile) {
   return totals;
 }
 
+// Beyond some ten thousand atoms everything comes from memory. It is asked for some atoms at a time
+// while others are evaluated: where the results of this tile go, and what the next tile reads.
+void Evaluator::prefetch_around(std::size_t tile, std::uint32_t offset) const {
+  const Candidates& c = *candidates_;
+  const auto atoms = [&](std::size_t t) {
+    const std::uint32_t begin = std::min(c.tiles[t] + offset, c.tiles[t + 1]);
+    return std::pair(begin, std::min(begin + prefetched_atoms, c.tiles[t + 1]));
+  };
+  const auto [begin, end] = atoms(tile);
+  for (std::uint32_t i = begin; i < end; ++i) {
+    prefetch(&result_.forces[c.order[i]], 1);
+    prefetch(&result_.energies[c.order[i]], 1);
+  }
+  if (tile + 1 == c.tile_count()) return;
+  const auto [next, next_end] = atoms(tile + 1);
+  const std::uint32_t link = c.first[next];
+  const std::uint32_t links = c.first[next_end] - link;
+  prefetch(&positions_[std::size_t{4} * next], std::size_t{4} * (next_end - next));
+  prefetch(&c.first[next], next_end - next);
+  prefetch(&c.point[link], links);
+  prefetch(&c.reverse[link], links);
+  prefetch(&bonded_[next], next_end - next);
+  prefetch(&c.order[next], next_end - next);
+}
+
 // Returns what they add to the upper half of the virial.
 Eigen::Matrix3d Evaluator::evaluate_regular(std::size_t tile, Scratch& scratch) const {
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     if ((states_[i] & atom_state::irregular) == 0) scratch.regular.push_back(i);
   }
   std::array<double, 6> virial{};
-  clean_kernel_(clean_arguments(tile, scratch), scratch.regular.data(), scratch.regular.size(),
-                virial.data());
+  const CleanArguments arguments = clean_arguments(tile, scratch);
+  const std::span<const std::uint32_t> regular = scratch.regular;
+  for (std::size_t k = 0; k < regular.size(); k += prefetched_atoms) {
+    prefetch_around(tile, static_cast<std::uint32_t>(k));
+    const auto some =
+        regular.subspan(k, std::min<std::size_t>(prefetched_atoms, regular.size() - k));
+    clean_kernel_(arguments, some.data(), some.size(), virial.data());
+  }
   const auto [xx, yy, zz, xy, xz, yz] = virial;
   Eigen::Matrix3d upper;
   upper << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;

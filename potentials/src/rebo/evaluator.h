@@ -52,6 +52,7 @@ class Evaluator {
 
   [[nodiscard]] Totals evaluate_tile(std::size_t tile);
   [[nodiscard]] Eigen::Matrix3d evaluate_regular(std::size_t tile, Scratch& scratch) const;
+  void prefetch_around(std::size_t tile, std::uint32_t offset) const;
   [[nodiscard]] Eigen::Matrix3d evaluate_general(std::size_t tile, Scratch& scratch) const;
   [[nodiscard]] Totals gather(std::size_t tile, const Scratch& scratch);
   void export_crossings(std::size_t tile, const Scratch& scratch);
