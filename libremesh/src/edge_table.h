@@ -17,20 +17,35 @@ struct EdgeUse {
   bool upwards = false;  ///< whether the face runs from low to high
 };
 
-/// All uses, those of one edge next to each other and by face.
+/// All uses, those of one edge next to each other and by face. Indices must be >= 0.
 [[nodiscard]] inline std::vector<EdgeUse> edge_uses(std::span<const std::array<int, 3>> triangles) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * triangles.size());
-  for (std::size_t f = 0; f < triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int from = triangles[f][k];
-      const int to = triangles[f][(k + 1) % 3];
-      uses.push_back({std::min(from, to), std::max(from, to), static_cast<int>(f), from < to});
+  const auto for_each_side = [&](const auto& visit) {
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = triangles[f][k];
+        const int to = triangles[f][(k + 1) % 3];
+        visit(EdgeUse{std::min(from, to), std::max(from, to), static_cast<int>(f), from < to});
+      }
     }
+  };
+  // Counted into a bucket for each low point, each of which is small.
+  std::vector<std::size_t> ends(1, 0);
+  for_each_side([&](const EdgeUse& use) {
+    const std::size_t bucket = static_cast<std::size_t>(use.low) + 1;
+    if (bucket >= ends.size()) ends.resize(std::max(bucket + 1, 2 * ends.size()), 0);
+    ++ends[bucket];
+  });
+  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+  std::vector<EdgeUse> uses(3 * triangles.size());
+  std::vector<std::size_t> next(ends);
+  for_each_side([&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.low)]++] = use; });
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const auto begin = uses.begin() + static_cast<std::ptrdiff_t>(ends[i - 1]);
+    const auto end = uses.begin() + static_cast<std::ptrdiff_t>(ends[i]);
+    std::sort(begin, end, [](const EdgeUse& a, const EdgeUse& b) {
+      return std::array{a.high, a.face} < std::array{b.high, b.face};
+    });
   }
-  const auto key = [](const EdgeUse& use) { return std::array{use.low, use.high, use.face}; };
-  std::sort(uses.begin(), uses.end(),
-            [&](const EdgeUse& a, const EdgeUse& b) { return key(a) < key(b); });
   return uses;
 }
 

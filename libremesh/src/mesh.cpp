@@ -1,8 +1,10 @@
 #include "trivalent/remesh/mesh.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <optional>
+#include <vector>
 
+#include "edge_table.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -32,25 +34,34 @@ void check_corners(std::span<const Eigen::Vector3d> points,
   }
 }
 
+/// Two faces that run the same way along an edge.
+struct Clash {
+  EdgeUse first;
+  EdgeUse second;
+};
+
 /// Every directed edge may be used by one face only; in an oriented 2-manifold the other direction
 /// belongs to the face on the other side.
 void check_edges(std::span<const std::array<int, 3>> triangles) {
-  std::unordered_map<std::uint64_t, std::size_t> face_on;
-  face_on.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int from = triangles[t][k];
-      const int to = triangles[t][(k + 1) % 3];
-      const auto key = static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
-      const auto [other, is_new] = face_on.try_emplace(key, t);
-      if (!is_new) {
-        throw InvalidMesh(
-            concat("make_mesh: faces ", other->second, " and ", t,
-                   " run the same way along the edge from vertex ", from, " to ", to,
-                   "; the surface is not manifold or not consistently oriented there"));
-      }
+  std::optional<Clash> clash;
+  const std::vector<EdgeUse> uses = edge_uses(triangles);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+      const auto same =
+          std::find_if(edge.begin(), edge.begin() + static_cast<std::ptrdiff_t>(i),
+                       [&](const EdgeUse& e) { return e.upwards == edge[i].upwards; });
+      if (same == edge.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+      if (!clash || edge[i].face < clash->second.face) clash = {*same, edge[i]};
+      break;
     }
-  }
+  });
+  if (!clash) return;
+  const auto& [first, second] = *clash;
+  throw InvalidMesh(concat("make_mesh: faces ", first.face, " and ", second.face,
+                           " run the same way along the edge from vertex ",
+                           second.upwards ? second.low : second.high, " to ",
+                           second.upwards ? second.high : second.low,
+                           "; the surface is not manifold or not consistently oriented there"));
 }
 
 void check_fans(const TriMesh& mesh) {

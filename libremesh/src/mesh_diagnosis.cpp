@@ -4,9 +4,12 @@
 #include <array>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "edge_table.h"
+#include "mesh_readers.h"
+#include "self_intersections.h"
 
 namespace trivalent::remesh {
 
@@ -94,12 +97,13 @@ class Diagnosis {
     DisjointSets components(soup_.triangles.size());
     // Corners (3 f + k) of one vertex that are joined by edges of two faces form a fan.
     DisjointSets fans(3 * soup_.triangles.size());
+    std::vector<EdgeUse> boundary;
     for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
       const EdgeUse& use = edge.front();
       for (const EdgeUse& other : edge) {
         components.join(static_cast<std::size_t>(use.face), static_cast<std::size_t>(other.face));
       }
-      if (edge.size() == 1) ++result_.boundary_edges;
+      if (edge.size() == 1) boundary.push_back(use);
       if (edge.size() > 2) report(Problem::crowded_edge, {use.low, use.high}, use.low);
       if (edge.size() != 2) return;
       if (edge[0].upwards == edge[1].upwards) {
@@ -112,7 +116,24 @@ class Diagnosis {
     for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
       if (components.find(f) == f) ++result_.components;
     }
+    check_boundary(boundary);
     check_vertices(fans);
+  }
+
+  void check_boundary(const std::vector<EdgeUse>& edges) {
+    DisjointSets loops(soup_.points.size());
+    for (const EdgeUse& edge : edges) {
+      loops.join(static_cast<std::size_t>(edge.low), static_cast<std::size_t>(edge.high));
+    }
+    std::vector<char> is_seen(soup_.points.size(), 0);
+    for (const EdgeUse& edge : edges) {
+      if (std::exchange(is_seen[loops.find(static_cast<std::size_t>(edge.low))], 1) != 0) continue;
+      ++result_.boundary_loops;
+      if (result_.first_boundaries.size() < most_places) {
+        result_.first_boundaries.push_back({{edge.low, edge.high}, point(edge.low)});
+      }
+    }
+    result_.boundary_edges = static_cast<int>(edges.size());
   }
 
   [[nodiscard]] std::size_t corner_of(int face, int v) const {
@@ -156,6 +177,8 @@ std::string_view name_of(Problem problem) {
       return "misoriented edge";
     case Problem::pinched_vertex:
       return "pinched vertex";
+    case Problem::crossing_faces:
+      return "pair of crossing faces";
   }
   return {};
 }
@@ -169,5 +192,28 @@ bool MeshDiagnosis::is_oriented_manifold() const {
 }
 
 MeshDiagnosis diagnose(const TriangleSoup& soup) { return Diagnosis(soup).run(); }
+
+Finding find_crossing_faces(const TriangleSoup& soup) {
+  // One index for each place.
+  PolygonSoup places{soup.points, std::vector<int>(soup.points.size()), {}, {}};
+  std::iota(places.corners.begin(), places.corners.end(), 0);
+  weld_points(places);
+  std::vector<std::array<int, 3>> triangles = soup.triangles;
+  std::set<std::array<int, 3>> known;
+  for (auto& triangle : triangles) {
+    for (int& v : triangle) v = places.corners[static_cast<std::size_t>(v)];
+    std::array<int, 3> corners = triangle;
+    std::sort(corners.begin(), corners.end());
+    // All corners in one place: without an area, so that it crosses nothing.
+    if (!known.insert(corners).second) triangle.fill(triangle[0]);
+  }
+  const CrossingFaces crossing = find_crossing_faces(places.points, triangles);
+  Finding finding{Problem::crossing_faces, crossing.count, {}};
+  for (const auto& pair : crossing.first) {
+    const int corner = triangles[static_cast<std::size_t>(pair[0])][0];
+    finding.first.push_back({{pair[0], pair[1]}, places.points[static_cast<std::size_t>(corner)]});
+  }
+  return finding;
+}
 
 }  // namespace trivalent::remesh

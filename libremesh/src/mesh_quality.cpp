@@ -114,7 +114,9 @@ MeshQuality measure_quality(const TriMesh& mesh) {
   quality.edge_length = spread_of_edges(mesh);
   count_valences(mesh, quality);
   measure_angles(mesh, quality);
-  quality.self_intersections = count_self_intersections(mesh);
+  const auto crossing =
+      find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), triangles_of(mesh));
+  quality.self_intersections = static_cast<int>(crossing.count);
   return quality;
 }
 

@@ -17,6 +17,8 @@ namespace trivalent::remesh {
 [[nodiscard]] PolygonSoup read_ply(const Source& source);
 [[nodiscard]] PolygonSoup read_text_stl(const Source& source);
 [[nodiscard]] PolygonSoup read_binary_stl(const Source& source);
+/// One point per line: three coordinates and whatever follows them.
+[[nodiscard]] PolygonSoup read_points(const Source& source);
 
 /// Whether a word is one of OFF's header words, such as OFF, COFF or STCN4nOFF.
 [[nodiscard]] bool is_off_keyword(std::string_view word);

@@ -147,19 +147,28 @@ RepairResult build(TriangleSoup soup) {
 }
 
 RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
+  if (soup.triangles.empty() && !soup.points.empty()) {
+    throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
+                             " but no faces; wrap them (repair method wrap)"));
+  }
   std::vector<std::string>& notes = soup.notes;
   const std::size_t faces = soup.triangles.size();
   note(notes, "joined", join_coincident_points(soup), "coincident point");
   note(notes, "dropped", faces - soup.triangles.size(), "degenerate face");
   note(notes, "dropped", drop_repeated_faces(soup), "repeated face");
   note(notes, "turned", orient_faces(soup), "disagreeing face");
+  if (const std::size_t count = count_disagreeing_edges(soup); count > 0) {
+    throw InvalidMesh(concat("repair: along ", counted(count, "edge"),
+                             " the surface has only one side, as a Moebius strip; wrap it (repair "
+                             "method wrap)"));
+  }
   note(notes, "split points where surfaces meet: added", separate_fans(soup), "point");
   if (options.components == ComponentPolicy::keep_largest) keep_largest_component(soup, notes);
   turn_inside_out_components(soup, notes);
   note(notes, "dropped", drop_isolated_points(soup), "isolated point");
   if (!diagnose(soup).is_oriented_manifold()) {
     throw InvalidMesh(
-        "repair: faces are left that form no oriented surface; try RepairMethod::wrap");
+        "repair: faces are left that form no oriented surface; wrap it (repair method wrap)");
   }
   RepairResult result = build(std::move(soup));
   remove_flat_faces(result.mesh, result.notes);
@@ -169,15 +178,21 @@ RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
   return result;
 }
 
+/// Fine enough to keep the shape; among points coarse enough to close the gaps between them, which
+/// are about as wide as if the points lay evenly on the bounding box.
+double default_alpha(const TriangleSoup& soup) {
+  const BoundingBox box = bounding_box(soup.points);
+  const double fine = box.diagonal() / 100.0;
+  if (!soup.triangles.empty()) return fine;
+  constexpr double gaps = 3.0;
+  const Eigen::Vector3d side = box.high - box.low;
+  const double area = 2.0 * (side.x() * side.y() + side.y() * side.z() + side.z() * side.x());
+  return std::max(fine, gaps * std::sqrt(area / static_cast<double>(soup.points.size())));
+}
+
 RepairResult wrap(const TriangleSoup& soup, const RepairOptions& options) {
   if (soup.points.empty()) throw InvalidMesh("repair: there is nothing to wrap");
-  Eigen::Vector3d low = soup.points[0];
-  Eigen::Vector3d high = low;
-  for (const Eigen::Vector3d& p : soup.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double alpha = options.wrap_alpha.value_or((high - low).norm() / 100.0);
+  const double alpha = options.wrap_alpha.value_or(default_alpha(soup));
   const double offset = options.wrap_offset.value_or(alpha / 30.0);
   for (const double length : {alpha, offset}) {
     if (length > 0.0 && std::isfinite(length)) continue;
@@ -186,7 +201,8 @@ RepairResult wrap(const TriangleSoup& soup, const RepairOptions& options) {
   }
   TriangleSoup wrapped = wrap_surface(soup, {alpha, offset});
   wrapped.notes = soup.notes;
-  wrapped.notes.push_back(concat("wrapped with alpha ", alpha, " at a distance of ", offset));
+  wrapped.notes.push_back(concat("wrapped with alpha ", alpha, " at a distance of ", offset,
+                                 "; what lies inside is lost"));
   if (options.components == ComponentPolicy::keep_largest)
     keep_largest_component(wrapped, wrapped.notes);
   drop_isolated_points(wrapped);

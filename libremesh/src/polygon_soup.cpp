@@ -86,7 +86,7 @@ std::string unpack(const Source& source) {
 
 // ---- kind of file ------------------------------------------------------------------------------
 
-enum class Kind { off, obj, ply, text_stl, binary_stl };
+enum class Kind { off, obj, ply, text_stl, binary_stl, points };
 
 std::string name_of(Kind kind) {
   switch (kind) {
@@ -99,6 +99,8 @@ std::string name_of(Kind kind) {
     case Kind::text_stl:
     case Kind::binary_stl:
       return "STL";
+    case Kind::points:
+      return "points";
   }
   return {};
 }
@@ -114,8 +116,8 @@ bool is_text_stl(const Source& source) {
   return second == "facet" || second == "endsolid";
 }
 
-/// What the bytes say they are; none for OBJ, which has no mark.
-std::optional<Kind> kind_by_content(const Source& source) {
+/// What the bytes say they are; none for OBJ and points, which have no mark.
+std::optional<Kind> kind_by_mark(const Source& source) {
   const std::string_view bytes = source.bytes;
   if (declared_stl_size(bytes) == bytes.size() && !bytes.empty()) return Kind::binary_stl;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
@@ -124,17 +126,42 @@ std::optional<Kind> kind_by_content(const Source& source) {
   return std::nullopt;
 }
 
-Kind kind_by_extension(const Source& source) {
+/// Extension of the file's name, of what is packed if it is gzipped.
+std::string extension_of(const Source& source) {
   fs::path name = source.name;
   if (name.extension() == ".gz") name = name.stem();
-  const std::string extension = lower_case(name.extension().string());
+  return lower_case(name.extension().string());
+}
+
+std::optional<Kind> kind_by_extension(const Source& source) {
+  const std::string extension = extension_of(source);
   if (extension == ".off") return Kind::off;
   if (extension == ".obj") return Kind::obj;
   if (extension == ".ply") return Kind::ply;
   // Binary unless its content said otherwise.
   if (extension == ".stl") return Kind::binary_stl;
-  fail(source, concat("unknown extension '", extension,
-                      "'; known are .off, .obj, .ply and .stl, each also with .gz"));
+  if (extension == ".xyz" || extension == ".pwn") return Kind::points;
+  return std::nullopt;
+}
+
+/// What a text without a mark looks like.
+std::optional<Kind> kind_by_first_word(const Source& source) {
+  const std::string_view word = TextScanner(source, Continuation::none).word_across_lines();
+  if (parse_number(word)) return Kind::points;
+  for (const std::string_view statement : {"v", "vn", "vt", "f", "g", "o", "s", "mtllib"}) {
+    if (word == statement) return Kind::obj;
+  }
+  return std::nullopt;
+}
+
+/// What the content is by its mark, else what was expected, else what its first word says.
+Kind kind_of(const Source& source, std::optional<Kind> expected) {
+  if (const auto kind = kind_by_mark(source)) return *kind;
+  if (expected) return *expected;
+  if (const auto kind = kind_by_first_word(source)) return *kind;
+  fail(source, concat("neither its extension '", extension_of(source),
+                      "' nor its content is known; known are .off, .obj, .ply, .stl, and .xyz for "
+                      "points, each also with .gz"));
 }
 
 PolygonSoup read_kind(const Source& source, Kind kind) {
@@ -147,6 +174,8 @@ PolygonSoup read_kind(const Source& source, Kind kind) {
       return read_ply(source);
     case Kind::text_stl:
       return read_text_stl(source);
+    case Kind::points:
+      return read_points(source);
     case Kind::binary_stl:
       break;
   }
@@ -209,16 +238,25 @@ void weld_points(PolygonSoup& soup) {
   soup.points = std::move(welded);
 }
 
+BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {
+  BoundingBox box{points.front(), points.front()};
+  for (const Eigen::Vector3d& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
+  return box;
+}
+
 PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) {
   if (is_gzipped(bytes)) return parse_polygon_soup(unpack({bytes, name}), name);
   const Source source{bytes, name};
-  const Kind expected = kind_by_extension(source);
   if (bytes.empty()) fail(source, "the file is empty");
-  const Kind kind = kind_by_content(source).value_or(expected);
+  const auto expected = kind_by_extension(source);
+  const Kind kind = kind_of(source, expected);
   PolygonSoup soup = read_kind(source, kind);
-  if (name_of(kind) != name_of(expected)) {
+  if (expected && name_of(kind) != name_of(*expected)) {
     soup.notes.push_back(
-        concat("read as ", name_of(kind), ", which its content is, not as ", name_of(expected)));
+        concat("read as ", name_of(kind), ", which its content is, not as ", name_of(*expected)));
   }
   return soup;
 }

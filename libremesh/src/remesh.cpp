@@ -9,6 +9,7 @@
 #include "sliding.h"
 #include "stellar.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "valence.h"
 
 namespace trivalent::remesh {
@@ -86,8 +87,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
       throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
                                "; remove flat parts, or scale the mesh to ordinary numbers"));
     }
-    const double least_faces = component.closed ? 20.0 : 2.0;
-    const double largest = std::sqrt(component.area / least_faces / unit_area);
+    const double largest = longest_edge_for(component.area, component.closed);
     if (target <= largest) continue;
     throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
                                component.closed ? "a closed" : "an open", " part of area ",

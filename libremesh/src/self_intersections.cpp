@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace trivalent::remesh {
@@ -15,24 +15,20 @@ namespace trivalent::remesh {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 /// Candidates are tested by many threads, so many at a time.
 constexpr std::size_t batch_size = 1 << 20;
 
-struct FacePair {
-  std::size_t a = 0;
-  std::size_t b = 0;
-};
+using FacePair = std::array<int, 2>;
 
 class IntersectionTest {
  public:
-  explicit IntersectionTest(const TriMesh& mesh) : corners_(triangles_of(mesh)) {
-    points_.reserve(mesh.n_vertices());
-    for (const auto v : mesh.vertices()) {
-      const Eigen::Vector3d& p = mesh.point(v);
-      points_.emplace_back(p.x(), p.y(), p.z());
-    }
+  IntersectionTest(std::span<const Eigen::Vector3d> points,
+                   std::span<const std::array<int, 3>> triangles)
+      : corners_(triangles.begin(), triangles.end()) {
+    points_.reserve(points.size());
+    for (const Eigen::Vector3d& p : points) points_.emplace_back(p.x(), p.y(), p.z());
   }
 
   [[nodiscard]] std::vector<Box> boxes() const {
@@ -40,15 +36,15 @@ class IntersectionTest {
     boxes.reserve(corners_.size());
     for (std::size_t f = 0; f < corners_.size(); ++f) {
       const Kernel::Triangle_3 face = triangle(corners_[f]);
-      if (!face.is_degenerate()) boxes.emplace_back(face.bbox(), f);
+      if (!face.is_degenerate()) boxes.emplace_back(face.bbox(), static_cast<int>(f));
     }
     return boxes;
   }
 
   /// Whether two faces, each with an area, meet elsewhere than in what they share.
   [[nodiscard]] bool operator()(const FacePair& pair) const {
-    Corners a = corners_[pair.a];
-    Corners b = corners_[pair.b];
+    Corners a = corners_[static_cast<std::size_t>(pair[0])];
+    Corners b = corners_[static_cast<std::size_t>(pair[1])];
     switch (shared_to_front(a, b)) {
       case 0:
         return CGAL::do_intersect(triangle(a), triangle(b));
@@ -100,32 +96,44 @@ class IntersectionTest {
   std::vector<Kernel::Point_3> points_;
 };
 
-int count_meeting(const IntersectionTest& meet, const std::vector<FacePair>& candidates) {
+/// Adds pairs to those found; which are the first few does not depend on the order of adding.
+CrossingFaces merged(CrossingFaces found, const CrossingFaces& more) {
+  constexpr std::size_t most_places = 5;
+  found.count += more.count;
+  found.first.insert(found.first.end(), more.first.begin(), more.first.end());
+  std::sort(found.first.begin(), found.first.end());
+  found.first.resize(std::min(found.first.size(), most_places));
+  return found;
+}
+
+CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& candidates) {
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, candidates.size()), 0,
-      [&](const tbb::blocked_range<std::size_t>& range, int count) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-          count += meet(candidates[i]) ? 1 : 0;
-        return count;
+      tbb::blocked_range<std::size_t>(0, candidates.size()), CrossingFaces(),
+      [&](const tbb::blocked_range<std::size_t>& range, CrossingFaces found) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          if (meet(candidates[i])) found = merged(std::move(found), {1, {candidates[i]}});
+        }
+        return found;
       },
-      std::plus<>());
+      merged);
 }
 
 }  // namespace
 
-int count_self_intersections(const TriMesh& mesh) {
-  const IntersectionTest meet(mesh);
+CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
+                                  std::span<const std::array<int, 3>> triangles) {
+  const IntersectionTest meet(points, triangles);
   std::vector<Box> boxes = meet.boxes();
   std::vector<FacePair> candidates;
   candidates.reserve(batch_size);
-  int count = 0;
+  CrossingFaces found;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    candidates.push_back({a.info(), b.info()});
+    candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
     if (candidates.size() < batch_size) return;
-    count += count_meeting(meet, candidates);
+    found = merged(std::move(found), test(meet, candidates));
     candidates.clear();
   });
-  return count + count_meeting(meet, candidates);
+  return merged(std::move(found), test(meet, candidates));
 }
 
 }  // namespace trivalent::remesh

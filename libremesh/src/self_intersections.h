@@ -1,13 +1,24 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "trivalent/remesh/mesh.h"
 
 namespace trivalent::remesh {
 
-/// Number of pairs of faces that meet elsewhere than in the vertex or edge they share, by exact
-/// predicates. Faces without an area meet nothing.
+/// Pairs of faces that meet elsewhere than in the vertex or edge they share.
+struct CrossingFaces {
+  std::size_t count = 0;
+  std::vector<std::array<int, 2>> first;  ///< the first few, by index
+};
+
+/// By exact predicates. Faces without an area meet nothing.
 ///
 /// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces.
-[[nodiscard]] int count_self_intersections(const TriMesh& mesh);
+[[nodiscard]] CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
+                                                std::span<const std::array<int, 3>> triangles);
 
 }  // namespace trivalent::remesh

@@ -194,6 +194,15 @@ std::size_t orient_faces(TriangleSoup& soup) {
   return wrong.size();
 }
 
+std::size_t count_disagreeing_edges(const TriangleSoup& soup) {
+  std::size_t count = 0;
+  const std::vector<EdgeUse> uses = edge_uses(soup.triangles);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 2 && edge[0].upwards == edge[1].upwards) ++count;
+  });
+  return count;
+}
+
 std::size_t separate_fans(TriangleSoup& soup) {
   DisjointSets fans(3 * soup.triangles.size());
   const std::vector<EdgeUse> uses = edge_uses(soup.triangles);

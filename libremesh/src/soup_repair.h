@@ -18,6 +18,9 @@ std::size_t drop_repeated_faces(TriangleSoup& soup);
 /// Turns faces, the fewer in every component, so that neighbors across edges of two faces agree.
 std::size_t orient_faces(TriangleSoup& soup);
 
+/// Edges of two faces that cannot agree, since the surface has only one side; changes nothing.
+[[nodiscard]] std::size_t count_disagreeing_edges(const TriangleSoup& soup);
+
 /// Gives every fan of faces at a point a point of its own; returns how many points were added.
 std::size_t separate_fans(TriangleSoup& soup);
 

@@ -101,6 +101,47 @@ TEST(Diagnose, FindsPinchedVertices) {
   EXPECT_FALSE(diagnosis.is_oriented_manifold());
 }
 
+TEST(Diagnose, FindsBoundaryLoops) {
+  TriangleSoup soup = soup_of(testing_support::icosahedron());
+  // Two faces that share no vertex.
+  std::erase(soup.triangles, std::array{0, 11, 5});
+  std::erase(soup.triangles, std::array{6, 2, 10});
+  std::erase(soup.triangles, std::array{8, 6, 7});
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  EXPECT_EQ(diagnosis.boundary_edges, 9);
+  EXPECT_EQ(diagnosis.boundary_loops, 2);
+  ASSERT_EQ(diagnosis.first_boundaries.size(), 2u);
+  EXPECT_EQ(diagnosis.first_boundaries[0].elements, (std::vector{0, 5}));
+}
+
+TEST(FindCrossingFaces, NamesTheFirstPairs) {
+  // A triangle through the middle of two others that share an edge.
+  TriangleSoup soup{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 2, -1}, {3, 2, -1}, {2, 2, 1}},
+                    {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}},
+                    {}};
+  const Finding finding = find_crossing_faces(soup);
+  EXPECT_EQ(finding.problem, Problem::crossing_faces);
+  EXPECT_EQ(finding.count, 2u);
+  EXPECT_EQ(finding.first[0].elements, (std::vector{0, 2}));
+  EXPECT_EQ(finding.first[1].elements, (std::vector{1, 2}));
+  EXPECT_EQ(finding.first[1].position, Eigen::Vector3d(0, 0, 0));
+  // Neither a repeated face nor a flat one changes that.
+  soup.triangles.push_back({1, 2, 0});
+  soup.triangles.push_back({4, 6, 4});
+  EXPECT_EQ(find_crossing_faces(soup).count, 2u);
+}
+
+TEST(FindCrossingFaces, SeesThatTornFacesOnlyTouch) {
+  const TriangleSoup whole = soup_of(testing_support::icosahedron());
+  TriangleSoup torn;
+  for (const auto& triangle : whole.triangles) {
+    const int first = static_cast<int>(torn.points.size());
+    for (const int v : triangle) torn.points.push_back(whole.points[static_cast<std::size_t>(v)]);
+    torn.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(find_crossing_faces(torn).count, 0u);
+}
+
 TEST(Diagnose, ShowsOnlyTheFirstPlaces) {
   TriangleSoup soup = soup_of(tetrahedron());
   for (int k = 0; k < 1000; ++k) soup.points.emplace_back(k, 7, 7);

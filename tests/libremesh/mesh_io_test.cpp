@@ -206,6 +206,14 @@ TEST(ParsePolygonSoup, ReadsByContentWhereTheExtensionDisagrees) {
   EXPECT_EQ(parse_polygon_soup("ply\nformat ascii 1.0\nend_header\n", "a.stl").notes.size(), 1u);
 }
 
+TEST(ParsePolygonSoup, ReadsByContentWithoutAnExtension) {
+  for (const auto* name : {"/dev/stdin", "a", "a.mesh", "a.gz"}) {
+    expect_tetrahedron(parse_polygon_soup(off_text, name));
+    expect_tetrahedron(parse_polygon_soup("# a comment\n" + obj_text, name));
+    EXPECT_EQ(parse_polygon_soup("1 2 3\n4 5 6\n", name).points.size(), 2u);
+  }
+}
+
 TEST(ParsePolygonSoup, ReadsGzippedFiles) {
   const TemporaryFolder folder;
   const std::string packed = gzipped(folder, off_text);
@@ -217,8 +225,7 @@ TEST(ParsePolygonSoup, ReadsGzippedFiles) {
 }
 
 TEST(ParsePolygonSoup, RefusesUnknownExtensionsAndEmptyFiles) {
-  expect_refusal(off_text, "a.step", "unknown extension '.step'");
-  expect_refusal(off_text, "off", "unknown extension ''");
+  expect_refusal("ISO-10303-21;\n", "a.step", "neither its extension '.step' nor its content");
   for (const auto* name : {"a.off", "a.obj", "a.ply", "a.stl"})
     expect_refusal("", name, "is empty");
 }
@@ -498,6 +505,29 @@ TEST(ReadStl, NamesThePlaceOfAnError) {
                  "line 7: 'vertex' stands where 'endloop' should");
   EXPECT_EQ(parse_polygon_soup(binary + "more", "a.stl").notes.front(),
             "ignored 4 bytes after the last triangle");
+}
+
+// ---- points ------------------------------------------------------------------------------------
+
+TEST(ReadPoints, TakesThreeCoordinatesPerLine) {
+  const PolygonSoup soup =
+      parse_polygon_soup("# x y z nx ny nz\n1 2 3 0 0 1\n\n-4 5e0 6\r\n7 8 9 0 0 1", "a.xyz");
+  EXPECT_EQ(soup.points, (std::vector<Eigen::Vector3d>{{1, 2, 3}, {-4, 5, 6}, {7, 8, 9}}));
+  EXPECT_TRUE(soup.ends.empty());
+  EXPECT_EQ(soup.notes, Notes{"ignored further columns on 2 lines"});
+}
+
+TEST(ReadPoints, HoldsTheCountAgainstThePoints) {
+  EXPECT_EQ(parse_polygon_soup("2\n1 2 3\n4 5 6\n", "a.xyz").points.size(), 2u);
+  expect_refusal("3\n1 2 3\n4 5 6\n", "a.xyz", "declares 3 points but holds 2");
+  expect_refusal("2000000000\n1 2 3\n", "a.xyz", "declares 2000000000 points but holds 1");
+  expect_refusal("-2\n1 2 3\n", "a.xyz", "a count is negative");
+}
+
+TEST(ReadPoints, NamesTheLineOfAnError) {
+  expect_refusal("1 2 3\nC 4 5 6\n", "a.xyz", "line 2: 'C' stands where a coordinate");
+  expect_refusal("1 2 3\n4 inf 6\n", "a.xyz", "line 2: vertex 1 (counted from 0)");
+  expect_refusal("1 2 3\n4 5\n", "a.xyz", "the file ends where a coordinate");
 }
 
 // ---- triangulation -----------------------------------------------------------------------------

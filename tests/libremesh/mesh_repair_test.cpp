@@ -233,6 +233,20 @@ TEST(Repair, ThrowsOnNothing) {
   }
 }
 
+TEST(Repair, ThrowsOnPointsAloneUnlessTheyAreWrapped) {
+  TriangleSoup soup = soup_of(icosahedron());
+  soup.triangles.clear();
+  EXPECT_THROW((void)repair(soup), InvalidMesh);
+}
+
+TEST(Repair, ThrowsOnAMoebiusStrip) {
+  // Five triangles around, glued with a twist.
+  const TriangleSoup strip{{{0, 0, 0}, {1, 0, 1}, {2, 1, 0}, {1, 2, 1}, {0, 1, 0}},
+                           {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}},
+                           {}};
+  EXPECT_THROW((void)repair(strip), InvalidMesh);
+}
+
 TEST(Repair, ThrowsOnWrapLengthsOutOfRange) {
   const TriangleSoup soup = soup_of(icosahedron());
   EXPECT_THROW((void)repair(soup, {.method = RepairMethod::wrap, .wrap_alpha = 0.0}),

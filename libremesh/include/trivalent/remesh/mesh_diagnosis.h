@@ -17,6 +17,7 @@ enum class Problem {
   crowded_edge,      ///< shared by more than two faces
   misoriented_edge,  ///< both its faces run the same way along it
   pinched_vertex,    ///< where more than one fan of faces meets
+  crossing_faces,    ///< two that meet elsewhere than in what they share
 };
 
 /// "isolated point" and so on.
@@ -24,7 +25,7 @@ enum class Problem {
 
 /// Where a problem occurs.
 struct Place {
-  std::vector<int> elements;  ///< a point, a face, or the two points of an edge
+  std::vector<int> elements;  ///< a point, a face, two faces, or the two points of an edge
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its first point, in the mesh's unit
 };
 
@@ -39,15 +40,23 @@ struct Finding {
 struct MeshDiagnosis {
   int points = 0;
   int faces = 0;
-  int components = 0;             ///< of faces joined across edges
-  int boundary_edges = 0;         ///< used by one face
-  std::vector<Finding> findings;  ///< in the order of Problem; none with a count of 0
+  int components = 0;                   ///< of faces joined across edges
+  int boundary_edges = 0;               ///< used by one face
+  int boundary_loops = 0;               ///< of boundary edges joined at points
+  std::vector<Place> first_boundaries;  ///< the first edge of the first few loops
+  std::vector<Finding> findings;        ///< in the order of Problem; none with a count of 0
 
   /// Whether make_mesh() accepts the triangles.
   [[nodiscard]] bool is_oriented_manifold() const;
 };
 
-/// Finds what is wrong. Cost: O(n log n) for n faces.
+/// Finds what is wrong, except for crossing faces. Cost: O(n log n) for n faces.
 [[nodiscard]] MeshDiagnosis diagnose(const TriangleSoup& soup);
+
+/// Pairs of faces that meet elsewhere than in the points and edges they share, by exact predicates.
+/// Points at the same place count as one; faces repeated or without an area cross nothing.
+///
+/// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces.
+[[nodiscard]] Finding find_crossing_faces(const TriangleSoup& soup);
 
 }  // namespace trivalent::remesh

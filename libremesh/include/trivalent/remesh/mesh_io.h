@@ -16,9 +16,10 @@ struct MeshFile {
 
 /// Reads OFF, OBJ, PLY or STL, text or binary, also gzipped.
 ///
-/// The content decides where it disagrees with the extension. Polygons are split into triangles,
-/// corners of STL files welded where their coordinates are equal, isolated vertices dropped; all is
-/// noted. A count that the file declares is held against its size before memory is taken for it.
+/// The content decides where it disagrees with the extension, or there is none (/dev/stdin).
+/// Polygons are split into triangles, corners of STL files welded where their coordinates are
+/// equal, isolated vertices dropped; all is noted. A count that the file declares is held against
+/// its size before memory is taken for it.
 ///
 /// @throws FileError   if the file is missing, unreadable, of an unknown kind, cut short, malformed
 ///   or without faces; the message names the line, byte or element.

@@ -23,7 +23,7 @@ struct RepairOptions {
   HolePolicy holes = HolePolicy::keep;                     ///< for RepairMethod::safe
   ComponentPolicy components = ComponentPolicy::keep_all;  ///< the largest by area
   /// Size of the holes and gaps that a wrap closes and of the detail it loses, in the mesh's unit,
-  /// > 0; none: 1/100 of the bounding box's diagonal.
+  /// > 0; none: 1/100 of the bounding box's diagonal, among points at least 3 times their distance.
   std::optional<double> wrap_alpha = std::nullopt;
   /// Distance from the input to the wrap, in the mesh's unit, > 0; none: 1/30 of alpha.
   std::optional<double> wrap_offset = std::nullopt;

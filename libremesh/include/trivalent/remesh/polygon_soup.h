@@ -32,7 +32,11 @@ struct TriangleSoup {
   std::vector<std::string> notes;  ///< those of the polygons, and what was changed since
 };
 
-/// Reads what a mesh file holds; see read_mesh() for kinds of files and errors.
+/// The box around points, of which there must be one.
+[[nodiscard]] BoundingBox bounding_box(std::span<const Eigen::Vector3d> points);
+
+/// Reads what a mesh file holds; see read_mesh() for kinds of files and errors. Beside meshes, it
+/// takes points, one per line (.xyz, .pwn).
 [[nodiscard]] PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
 /// The same for the bytes of a file, unpacked if they are gzipped; its name tells the extension and

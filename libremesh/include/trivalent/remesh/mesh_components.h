@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// A connected part of a surface. Lengths in the mesh's own unit.
+struct MeshComponent {
+  int vertices = 0;
+  int edges = 0;
+  int faces = 0;
+  int boundary_edges = 0;
+  double area = 0.0;
+  double volume = 0.0;  ///< enclosed, < 0 if it is inside out; 0 if it is open
+  BoundingBox box;
+  std::optional<int> inside_of;  ///< the smallest closed component around it, as in an onion
+  [[nodiscard]] bool is_closed() const { return boundary_edges == 0; }
+  [[nodiscard]] int euler_characteristic() const { return vertices - edges + faces; }
+};
+
+/// The longest edges that a surface of this area can be made of: a closed one has room for the 20
+/// faces of an icosahedron, an open one for 2. In the mesh's unit.
+[[nodiscard]] double longest_edge_for(double area, bool is_closed);
+
+/// All connected parts of a surface, in the order of their first faces.
+struct MeshComponents {
+  std::vector<MeshComponent> parts;
+  std::vector<int> of_face;  ///< index into parts, one per face
+};
+
+/// Takes a surface apart. Components that cross each other count as beside each other.
+///
+/// Cost: O(n) for n faces, and for every component the faces of those whose boxes enclose it.
+[[nodiscard]] MeshComponents find_components(const TriMesh& mesh);
+
+}  // namespace trivalent::remesh
