@@ -1,6 +1,7 @@
 #include "trivalent/dual/carbon_atoms.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace trivalent::dual {
 
@@ -19,6 +20,8 @@ potentials::Atoms carbon_atoms(const Network& network) {
   potentials::Atoms atoms;
   atoms.positions = network.positions;
   atoms.species.assign(network.positions.size(), potentials::Species::carbon);
+  std::fill(atoms.species.end() - network.hydrogens, atoms.species.end(),
+            potentials::Species::hydrogen);
   atoms.box = padded_box(network.positions);
   return atoms;
 }

@@ -16,7 +16,8 @@ inline constexpr double default_padding = 10.0;
 [[nodiscard]] potentials::Box padded_box(std::span<const Eigen::Vector3d> positions,
                                          double padding = default_padding);
 
-/// The network's atoms as carbon in free space, with a padded box; bonds and rings stay behind.
+/// The network's atoms (carbon, and hydrogen where it was capped) in free space, with a padded box;
+/// bonds and rings stay behind.
 [[nodiscard]] potentials::Atoms carbon_atoms(const Network& network);
 
 }  // namespace trivalent::dual

@@ -12,6 +12,7 @@ struct Network {
   std::vector<std::array<int, 2>> bonds =
       {};  ///< atom indices, first < second; one per interior edge
   std::vector<std::vector<int>> rings = {};  ///< atoms in order, one ring per interior mesh vertex
+  int hydrogens = 0;  ///< so many of the last atoms are hydrogen, all others carbon
 };
 
 }  // namespace trivalent::dual
