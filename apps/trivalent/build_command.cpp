@@ -12,13 +12,16 @@
 #include "session.h"
 #include "shell_files.h"
 #include "size_options.h"
+#include "surface_input.h"
 #include "trivalent/dual/build_shell.h"
 #include "trivalent/dual/carbon_atoms.h"
 #include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/hydrogen.h"
 #include "trivalent/dual/lammps_data.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/remesh/whole_file.h"
@@ -44,11 +47,14 @@ class Stopwatch {
 /// Everything known about a shell that was built; lengths in Å.
 struct BuildRecord {
   std::vector<std::string> notes = {};
+  double wrap_offset = 0.0;  ///< 0 if the input was not wrapped
   remesh::MeshQuality input_quality = {};
   dual::Shell shell = {};
   remesh::MeshQuality quality = {};
+  remesh::MeshComponents components = {};
   remesh::TwoSidedDistance distance = {};
-  dual::NetworkReport network = {};
+  dual::NetworkReport network = {};  ///< of the carbon atoms
+  dual::HydrogenCaps caps = {};
   potentials::EnergyForces energy = {};
   dual::EnergySummary energy_before = {};
   bool has_energy_before = false;
@@ -59,15 +65,21 @@ Grammar grammar_of_build() {
   Grammar grammar = {.arguments = {"SHAPE"},
                      .options = po::options_description("Size of the shell")};
   add_shell_size_options(grammar.options);
+  po::options_description mending("Reading");
+  add_repair_options(mending);
   po::options_description remeshing("Remeshing");
   add_remesh_options(remeshing);
   po::options_description files("Output");
+  grammar.options.add_options()("cap", with_default(std::string("none")),
+                                "hydrogen: puts H on the atoms at the edge of an open shell");
   files.add_options()("output,o", po::value<std::string>(),
-                      "folder for the results; must be given");
+                      "folder for the results; must be given")  //
+      ("dry-run", "only tell what would be built, and whether it can be");
   add_file_options(files);
-  grammar.options.add(remeshing).add(files);
+  grammar.options.add(mending).add(remeshing).add(files);
   grammar.epilog =
-      "SHAPE is a mesh file (OFF, OBJ, PLY, STL) or a built-in shape.\n"
+      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, or points in XYZ; - is standard input) or a\n"
+      "built-in shape.\n"
       "Writes surface.off, shell.extxyz, shell.data, in.check (run it with lmp -in in.check),\n"
       "energy.ply and report.json.\n\n" +
       shapes_help();
@@ -111,13 +123,39 @@ void measure_energy_before(remesh::TriMesh original, BuildRecord& record) {
   }
 }
 
+/// --cap: none or hydrogen.
+bool caps_edges(const Session& session) {
+  const auto& cap = session.get<std::string>("cap");
+  if (cap == "none" || cap == "hydrogen") return cap == "hydrogen";
+  throw UsageError("--cap is none or hydrogen, not '" + cap + "'");
+}
+
+/// Hydrogen belongs to the component of its carbon atom.
+void cap_edges(BuildRecord& record) {
+  dual::Network& network = record.shell.network;
+  record.caps = dual::cap_with_hydrogen(network);
+  auto& component = record.components.of_face;
+  component.resize(network.positions.size());
+  for (const auto& [carbon, other] : network.bonds) {
+    component[static_cast<std::size_t>(other)] = component[static_cast<std::size_t>(carbon)];
+  }
+  record.notes.push_back("capped the edge with " + std::to_string(record.caps.hydrogens) +
+                         " hydrogen atoms");
+  if (record.caps.bare_atoms > 0) {
+    record.notes.push_back(std::to_string(record.caps.bare_atoms) +
+                           " atoms without any bond are not capped");
+  }
+}
+
 void note_findings(BuildRecord& record) {
   const auto& network = record.network;
   if (record.quality.boundary_loops == 0 && !network.is_trivalent()) {
     record.notes.push_back("not every atom has three bonds");
   }
-  if (record.quality.boundary_loops > 0) {
-    record.notes.push_back("the surface is open: atoms at its edge have fewer than three bonds");
+  if (record.quality.boundary_loops > 0 && record.caps.hydrogens == 0) {
+    record.notes.push_back(
+        "the surface is open: atoms at its edge have fewer than three bonds; --cap "
+        "hydrogen saturates them");
   }
   if (record.quality.self_intersections > 0) {
     record.notes.push_back("the remeshed surface intersects itself in " +
@@ -126,24 +164,32 @@ void note_findings(BuildRecord& record) {
   }
 }
 
+dual::ShellOptions shell_options(const Session& session) {
+  return {.size = shell_size(session),
+          .bond = session.get<double>("bond"),
+          .remesh = remesh_options(session)};
+}
+
 BuildRecord build(const Session& session) {
   BuildRecord record;
-  dual::ShellOptions options = {.size = shell_size(session),
-                                .bond = session.get<double>("bond"),
-                                .remesh = remesh_options(session)};
-  BuildInput input = read_build_input(session.get<std::string>("SHAPE"), options);
+  const dual::ShellOptions options = shell_options(session);
+  BuildInput input = read_build_input(session, options);
+  check_plan(plan_build(input.mesh, options));
   record.notes = std::move(input.notes);
   record.input_quality = remesh::measure_quality(input.mesh);
   record.stopwatch.finish("read");
 
   record.shell = dual::build_shell(input.mesh, options);
   record.stopwatch.finish("remesh_and_dual");
+  record.wrap_offset = input.wrap_offset * record.shell.scale;
+  record.components = remesh::find_components(record.shell.surface.mesh);
 
   remesh::TriMesh original = std::move(input.mesh);
   remesh::scale(original, record.shell.scale);
   record.quality = remesh::measure_quality(record.shell.surface.mesh);
   record.distance = remesh::measure_distance(record.shell.surface.mesh, original);
   record.network = dual::check_network(record.shell.network);
+  if (caps_edges(session)) cap_edges(record);
   record.stopwatch.finish("measure");
 
   record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
@@ -159,15 +205,17 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
   remesh::write_mesh(record.shell.surface.mesh, folder / "surface.off");
 
   dual::XyzFrame frame = shell_frame(network);
+  frame.columns.push_back({.name = "component", .values = record.components.of_face});
   add_energies(frame, record.energy);
   dual::write_xyz(folder / "shell.extxyz", frame, digits(session));
 
   const dual::LammpsData data = {.atoms = frame.atoms, .bonds = network.bonds};
   const dual::AtomStyle style = atom_style(session);
   dual::write_lammps_data(folder / "shell.data", data, {.style = style, .digits = digits(session)});
-  dual::write_lammps_check(
-      folder / "in.check",
-      {.data_file = "shell.data", .style = style, .expected_energy = record.energy.energy});
+  dual::write_lammps_check(folder / "in.check", {.data_file = "shell.data",
+                                                 .style = style,
+                                                 .has_hydrogen = network.hydrogens > 0,
+                                                 .expected_energy = record.energy.energy});
 
   const auto scale = dual::make_color_scale(record.energy.energies, dual::graphene_energy);
   dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies, {.scale = scale});
@@ -198,14 +246,17 @@ Json report_json(const BuildRecord& record, const Session& session) {
                {"input", session.get<std::string>("SHAPE")},
                {"options", options_json(session)},
                {"notes", record.notes},
+               {"wrap_offset", record.wrap_offset},
                {"scale", record.shell.scale},
                {"target_edge_length", record.shell.target_edge_length * record.shell.scale},
                {"remeshings", record.shell.remeshings},
                {"iterations", record.shell.surface.iterations},
                {"input_quality", quality_json(record.input_quality)},
                {"quality", quality_json(record.quality)},
+               {"components", components_json(record.components)},
                {"distance", distance_json(record.distance)},
-               {"network", network_json(record.network)}};
+               {"network", network_json(record.network)},
+               {"hydrogens", record.caps.hydrogens}};
   json["energy"] = {{"potential", "rebo"}, {"unit", "eV"}, {"after", energy_json(after)}};
   json["energy"]["before"] =
       record.has_energy_before ? energy_json(record.energy_before) : Json(nullptr);
@@ -221,6 +272,7 @@ std::string energy_text(const dual::EnergySummary& summary) {
 std::vector<TableRow> summary_rows(const BuildRecord& record) {
   std::vector<TableRow> rows = {{"surface [Å]"}};
   append(rows, quality_rows(record.quality));
+  append(rows, components_rows(record.components));
   append(rows, distance_rows(record.distance));
   rows.push_back({"shell"});
   append(rows, network_rows(record.network));
@@ -234,13 +286,26 @@ std::vector<TableRow> summary_rows(const BuildRecord& record) {
   return rows;
 }
 
+/// Tells what a build would come to.
+int plan_only(const Session& session) {
+  const dual::ShellOptions options = shell_options(session);
+  const BuildInput input = read_build_input(session, options);
+  session.terminal.notes(input.notes);
+  const BuildPlan plan = plan_build(input.mesh, options);
+  session.terminal.print({.table = plan_rows(plan), .json = plan_json(plan)});
+  return plan.obstacles.empty() ? done : failed;
+}
+
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_build());
   if (!session) return done;
+  if (session->has("dry-run")) return plan_only(*session);
   if (!session->has("output")) throw UsageError("-o must say into which folder the results go");
   static_cast<void>(digits(*session));
   static_cast<void>(atom_style(*session));
   static_cast<void>(shell_size(*session));
+  static_cast<void>(caps_edges(*session));
+  static_cast<void>(repair_options(*session));
   const std::filesystem::path folder = session->get<std::string>("output");
   check_folder(folder);
 

@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "files.h"
-#include "trivalent/remesh/mesh_io.h"
+#include "surface_input.h"
+#include "trivalent/remesh/error.h"
 
 namespace trivalent::apps {
 namespace {
@@ -31,8 +32,9 @@ remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions&
   constexpr double fewest_faces = 4000.0;
   const remesh::TriMesh coarse =
       remesh::make_shape(call.name, call.arguments, coarse_edge_length(call));
-  const double n_faces =
-      std::max(fewest_faces, faces_per_atom * dual::estimate_atom_count(coarse, options));
+  const BuildPlan plan = plan_build(coarse, options);
+  check_plan(plan);  // before so many triangles are made
+  const double n_faces = std::max(fewest_faces, faces_per_atom * plan.shell.atoms);
   const double edge_length =
       std::sqrt(4.0 / std::sqrt(3.0) * remesh::surface_area(coarse) / n_faces);
   return remesh::make_shape(call.name, call.arguments, edge_length);
@@ -40,12 +42,17 @@ remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions&
 
 }  // namespace
 
-BuildInput read_build_input(const std::string& shape, const dual::ShellOptions& options) {
+BuildInput read_build_input(const Session& session, const dual::ShellOptions& options) {
+  const auto& shape = session.get<std::string>("SHAPE");
   if (is_built_in(shape.substr(0, shape.find(':')))) {
     return {.mesh = make_fine_shape(parse_shape(shape), options), .notes = {}};
   }
-  remesh::MeshFile file = remesh::read_mesh(shape);
-  return {.mesh = std::move(file.mesh), .notes = std::move(file.notes)};
+  remesh::RepairResult read = read_surface(shape, session);
+  return {.mesh = std::move(read.mesh), .notes = std::move(read.notes), .wrap_offset = read.offset};
+}
+
+void check_plan(const BuildPlan& plan) {
+  if (!plan.obstacles.empty()) throw remesh::InvalidMesh("build: " + plan.obstacles.front());
 }
 
 }  // namespace trivalent::apps

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "build_plan.h"
+#include "session.h"
 #include "trivalent/dual/build_shell.h"
 #include "trivalent/remesh/mesh.h"
 
@@ -12,11 +14,17 @@ namespace trivalent::apps {
 struct BuildInput {
   remesh::TriMesh mesh;
   std::vector<std::string> notes;  ///< what was changed on the way in
+  double wrap_offset = 0.0;        ///< from the input to its wrap, in its unit; 0 if not wrapped
 };
 
-/// Reads a mesh file, or makes a built-in shape of triangles about half as long as the shell's, so
-/// that it looks smooth to the shell.
-[[nodiscard]] BuildInput read_build_input(const std::string& shape,
+/// Reads a mesh file and mends it, or makes a built-in shape of triangles about half as long as the
+/// shell's, so that it looks smooth to the shell.
+[[nodiscard]] BuildInput read_build_input(const Session& session,
                                           const dual::ShellOptions& options);
+
+/// Refuses a build that cannot succeed.
+///
+/// @throws remesh::InvalidMesh with the first obstacle.
+void check_plan(const BuildPlan& plan);
 
 }  // namespace trivalent::apps

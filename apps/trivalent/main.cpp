@@ -26,7 +26,7 @@ int print_help() {
   }
   std::cout
       << "\nEvery command explains itself with --help; trivalent --version tells the version.\n"
-      << "Exit codes: 0 done, 1 failed, 2 wrong usage.\n";
+      << "Exit codes: 0 done, 1 failed, 2 wrong usage; inspect: 0 sound, 1 mendable, 3 hopeless.\n";
   return done;
 }
 

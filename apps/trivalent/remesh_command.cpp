@@ -5,6 +5,7 @@
 #include "remesh_options.h"
 #include "reports.h"
 #include "session.h"
+#include "surface_input.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
 
@@ -17,6 +18,7 @@ Grammar grammar_of_remesh() {
       ("edge", po::value<double>(),
        "m, the wanted edge length in units of the mesh; must be given");
   add_remesh_options(grammar.options);
+  add_repair_options(grammar.options);
   return grammar;
 }
 
@@ -29,8 +31,9 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 
-  const remesh::TriMesh original =
-      read_mesh_file(session->get<std::string>("IN"), session->terminal);
+  const remesh::RepairResult input = read_surface(session->get<std::string>("IN"), *session);
+  session->terminal.notes(input.notes);
+  const remesh::TriMesh& original = input.mesh;
   const remesh::RemeshResult remeshed = remesh::remesh(original, options);
   remesh::write_mesh(remeshed.mesh, output);
 
@@ -39,6 +42,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
   Result result = {.table = {{"wrote", output}}, .json = {{"file", output}}};
   append(result.table, quality_rows(quality));
   append(result.table, distance_rows(distance));
+  result.json["notes"] = input.notes;
+  result.json["wrap_offset"] = input.offset;
   result.json["iterations"] = remeshed.iterations;
   result.json["target_edge_length"] = options.target_edge_length;
   result.json["quality"] = quality_json(quality);

@@ -1,5 +1,6 @@
 #include "reports.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 
@@ -50,6 +51,19 @@ Json quality_json(const remesh::MeshQuality& quality) {
           {"self_intersections", quality.self_intersections}};
 }
 
+Json components_json(const remesh::MeshComponents& components) {
+  Json json = Json::array();
+  for (const remesh::MeshComponent& part : components.parts) {
+    json.push_back({{"faces", part.faces},
+                    {"euler_characteristic", part.euler_characteristic()},
+                    {"boundary_edges", part.boundary_edges},
+                    {"area", part.area},
+                    {"volume", part.volume},
+                    {"inside_of", part.inside_of ? Json(*part.inside_of) : Json(nullptr)}});
+  }
+  return json;
+}
+
 Json distance_json(const remesh::TwoSidedDistance& distance) {
   return {{"max", distance.max()},
           {"rms", distance.root_mean_square()},
@@ -91,6 +105,23 @@ std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
           {"angles", decimals(degrees(quality.smallest_angle), 1) + "° to " +
                          decimals(degrees(quality.largest_angle), 1) + "°"},
           {"self-intersections", std::to_string(quality.self_intersections)}};
+}
+
+std::vector<TableRow> components_rows(const remesh::MeshComponents& components) {
+  constexpr std::size_t most_rows = 10;
+  const std::size_t count = components.parts.size();
+  if (count < 2) return {};
+  std::vector<TableRow> rows;
+  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
+    const remesh::MeshComponent& part = components.parts[i];
+    rows.push_back({"component " + std::to_string(i),
+                    std::to_string(part.faces) + " faces, " +
+                        (part.is_closed() ? "closed" : "open") + ", Euler characteristic " +
+                        std::to_string(part.euler_characteristic()) +
+                        (part.inside_of ? ", inside of " + std::to_string(*part.inside_of) : "")});
+  }
+  if (count > most_rows) rows.push_back({"...", std::to_string(count - most_rows) + " more"});
+  return rows;
 }
 
 std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance) {

@@ -7,6 +7,7 @@
 
 #include "terminal.h"
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::apps {
@@ -15,11 +16,14 @@ using Json = nlohmann::ordered_json;
 
 // Numbers of the libraries as JSON; lengths are in the unit of what was measured.
 [[nodiscard]] Json quality_json(const remesh::MeshQuality& quality);
+[[nodiscard]] Json components_json(const remesh::MeshComponents& components);
 [[nodiscard]] Json distance_json(const remesh::TwoSidedDistance& distance);
 [[nodiscard]] Json network_json(const dual::NetworkReport& network);
 
 // The same for people.
 [[nodiscard]] std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality);
+/// Nothing for a single component, which the quality describes.
+[[nodiscard]] std::vector<TableRow> components_rows(const remesh::MeshComponents& components);
 [[nodiscard]] std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance);
 [[nodiscard]] std::vector<TableRow> network_rows(const dual::NetworkReport& network);
 

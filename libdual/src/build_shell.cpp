@@ -64,11 +64,24 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
 
 }  // namespace
 
-double estimate_atom_count(const TriMesh& mesh, const ShellOptions& options) {
+ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
   check_options(mesh, options);
-  if (const auto* count = std::get_if<AtomCount>(&options.size)) return count->atoms;
-  const double edge = edge_length_for_bond(options.bond) / given_scale(mesh, options.size);
-  return remesh::surface_area(mesh) / (unit_face_area * edge * edge);
+  const double area = remesh::surface_area(mesh);
+  if (!(area > 0.0) || !std::isfinite(area)) {
+    throw InvalidNetwork(concat("estimate_shell: the mesh has the area ", area,
+                                "; scale it to ordinary numbers, or remove flat parts"));
+  }
+  ShellEstimate estimate;
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+    estimate.atoms = count->atoms;
+    estimate.edge_length = std::sqrt(area / (unit_face_area * estimate.atoms));
+    estimate.scale = edge_length_for_bond(options.bond) / estimate.edge_length;
+  } else {
+    estimate.scale = given_scale(mesh, options.size);
+    estimate.edge_length = edge_length_for_bond(options.bond) / estimate.scale;
+    estimate.atoms = area / (unit_face_area * estimate.edge_length * estimate.edge_length);
+  }
+  return estimate;
 }
 
 Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "program.h"
@@ -52,7 +53,86 @@ TEST_F(BuildCommand, KeepsOpenSurfacesOpen) {
   EXPECT_GT(report("out")["network"]["coordinations"]["2"].get<int>(), 0);
 }
 
+TEST_F(BuildCommand, CapsOpenEdgesWithHydrogen) {
+  succeed("build open-tube -o out --atoms 600 --method paper --cap hydrogen");
+  const auto result = report("out");
+  const int hydrogens = result["hydrogens"];
+  EXPECT_GT(hydrogens, 0);
+  const std::string frame = content("out/shell.extxyz");
+  EXPECT_EQ(std::count(frame.begin(), frame.end(), '\n'),
+            2 + result["network"]["atoms"].get<int>() + hydrogens);
+  EXPECT_NE(content("out/shell.data").find("2 atom types"), std::string::npos);
+  succeed("build sphere -o closed --atoms 300 --method paper --cap hydrogen");
+  EXPECT_EQ(report("closed")["hydrogens"], 0);
+}
+
+TEST_F(BuildCommand, MendsWhatItReadsAndSaysSo) {
+  // A torus of faces without common points, some turned over.
+  succeed("shape torus a.stl --edge 0.3");
+  succeed("build a.stl -o out --atoms 500 --method paper");
+  EXPECT_TRUE(report("out")["network"]["is_trivalent"].get<bool>());
+  write("turned.off",
+        "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 2 3\n");
+  const Outcome run = succeed("build turned.off -o turned --atoms 300 --method paper");
+  EXPECT_NE(run.err.find("turned 1 disagreeing face"), std::string::npos) << run.err;
+  EXPECT_EQ(report("turned")["notes"][0], "turned 1 disagreeing face");
+  expect_failure(1, "faces 0 and 3", "build turned.off -o none --repair none");
+}
+
+TEST_F(BuildCommand, WrapsPointsAndReportsTheOffset) {
+  succeed("shape sphere a.off --edge 0.1");
+  write("points.xyz", shell("awk 'NF == 3 && NR > 2' a.off").out);
+  expect_failure(1, "wrap", "build points.xyz -o none");
+  succeed(
+      "build points.xyz -o out --atoms 500 --method paper --repair wrap --wrap-alpha 0.4 "
+      "--wrap-offset 0.05");
+  const auto result = report("out");
+  EXPECT_NEAR(result["wrap_offset"].get<double>(), 0.05 * result["scale"].get<double>(), 1e-9);
+  EXPECT_TRUE(result["network"]["is_trivalent"].get<bool>());
+  EXPECT_EQ(result["network"]["ring_excess"], 12);
+}
+
+TEST_F(BuildCommand, KeepsSeveralComponentsWithTheirIds) {
+  write("two.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n");
+  succeed("build two.obj -o out --atoms 400 --method paper");
+  const auto result = report("out");
+  ASSERT_EQ(result["components"].size(), 2u);
+  EXPECT_EQ(result["components"][0]["euler_characteristic"], 2);
+  EXPECT_EQ(result["network"]["ring_excess"], 24);
+  EXPECT_NE(content("out/shell.extxyz").find("component:I:1"), std::string::npos);
+  succeed("build two.obj -o one --atoms 400 --method paper --components largest");
+  EXPECT_EQ(report("one")["components"].size(), 1u);
+}
+
+TEST_F(BuildCommand, ForetellsWhatItWouldDo) {
+  const Outcome run = succeed("build torus:R=3,r=1 --dry-run --atoms 50000 --json");
+  EXPECT_EQ(run.json()["atoms"], 50000);
+  EXPECT_TRUE(run.json()["obstacles"].empty());
+  EXPECT_GT(run.json()["memory_bytes"], 0.0);
+  EXPECT_EQ(shell("ls -A").out, "");
+}
+
+TEST_F(BuildCommand, RefusesAtOnceWhatCannotFit) {
+  expect_failure(1, "atoms would be needed", "build sphere -o out --atoms 2000000000");
+  expect_failure(1, "atoms would be needed", "build torus -o out --scale 1e9");
+  const Outcome run =
+      shell("ulimit -v 800000; " TRIVALENT_PROGRAM " build sphere -o out --atoms 10000000");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("memory"), std::string::npos) << run.err;
+  // A tetrahedron beside one a hundred times as large.
+  write("two.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        "v 500 0 0\nv 600 0 0\nv 500 100 0\nv 500 0 100\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n");
+  expect_failure(1, "1 of the 2 components", "build two.obj -o out --atoms 400");
+  expect_failure(1, "too small", "build " TRIVALENT_MESHES "/cube.off -o out --length 2");
+  EXPECT_FALSE(has("out"));
+}
+
 TEST_F(BuildCommand, RefusesWhatMakesNoSense) {
+  expect_failure(2, "--cap", "build sphere -o out --cap helium");
+  expect_failure(2, "--repair", "build sphere -o out --repair magic");
   expect_failure(2, "-o", "build sphere");
   expect_failure(2, "--atoms and --length", "build sphere -o out --atoms 100 --length 20");
   expect_failure(2, "20 atoms", "build sphere -o out --atoms 3");

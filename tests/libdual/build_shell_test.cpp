@@ -65,11 +65,22 @@ TEST(BuildShell, PassesOnWhatRemeshRefuses) {
   EXPECT_THROW(static_cast<void>(build_shell(torus(12, 6), options)), remesh::InvalidOption);
 }
 
-TEST(EstimateAtomCount, DividesTheAreaByThatOfAFace) {
+TEST(EstimateShell, DividesTheAreaByThatOfAFace) {
   const remesh::TriMesh sheet = testing_support::flat_sheet(10, 10, 1.0);
   const double scale = edge_length_for_bond(1.42);
-  EXPECT_NEAR(estimate_atom_count(sheet, {.size = Scale{scale}, .remesh = {}}), 200.0, 1e-9);
-  EXPECT_EQ(estimate_atom_count(sheet, {.size = AtomCount{77}, .remesh = {}}), 77.0);
+  const ShellEstimate scaled = estimate_shell(sheet, {.size = Scale{scale}, .remesh = {}});
+  EXPECT_NEAR(scaled.atoms, 200.0, 1e-9);
+  EXPECT_NEAR(scaled.edge_length, 1.0, 1e-12);
+  const ShellEstimate counted = estimate_shell(sheet, {.size = AtomCount{50}, .remesh = {}});
+  EXPECT_EQ(counted.atoms, 50.0);
+  EXPECT_NEAR(counted.edge_length, 2.0, 1e-12);
+  EXPECT_NEAR(counted.scale, 0.5 * scale, 1e-12);
+}
+
+TEST(EstimateShell, ThrowsOnAMeshWithoutAnArea) {
+  remesh::TriMesh sheet = testing_support::flat_sheet(2, 2, 1.0);
+  remesh::scale(sheet, 0.0);
+  EXPECT_THROW(static_cast<void>(estimate_shell(sheet, {.remesh = {}})), InvalidNetwork);
 }
 
 }  // namespace

@@ -23,12 +23,19 @@ struct ShellOptions {
   remesh::RemeshOptions remesh;       ///< target_edge_length follows from size and bond
 };
 
-/// About how many atoms a shell would have: as many as equilateral triangles fit its area. A cheap
-/// look before the work.
+/// What a shell would come to.
+struct ShellEstimate {
+  double atoms = 0.0;        ///< as many as equilateral triangles fit the area
+  double edge_length = 0.0;  ///< of these [unit of the input]
+  double scale = 0.0;        ///< [Å per unit of the input]
+};
+
+/// A cheap look before the work.
 ///
 /// @throws InvalidOption  if size or bond is out of its range.
-/// @throws InvalidNetwork if the mesh has no faces or no extent.
-[[nodiscard]] double estimate_atom_count(const remesh::TriMesh& mesh, const ShellOptions& options);
+/// @throws InvalidNetwork if the mesh has no faces, no area or no extent.
+[[nodiscard]] ShellEstimate estimate_shell(const remesh::TriMesh& mesh,
+                                           const ShellOptions& options);
 
 /// A carbon shell and the surface it is the dual of, both in Å.
 struct Shell {

@@ -1,0 +1,104 @@
+#include "build_plan.h"
+
+#include <algorithm>
+
+#include "free_memory.h"
+#include "trivalent/remesh/mesh_components.h"
+
+namespace trivalent::apps {
+namespace {
+
+constexpr double megabyte = 1e6;
+
+/// Peak resident memory of whole builds, fitted to 50,000 to 1,000,000 atoms and inputs of 5,000 to
+/// 300,000 faces.
+double memory_of(double atoms, double input_faces) {
+  constexpr double bytes_of_program = 50.0 * megabyte;
+  constexpr double bytes_per_atom = 2000.0;
+  constexpr double bytes_per_input_face = 1500.0;
+  return bytes_of_program + bytes_per_atom * atoms + bytes_per_input_face * input_faces;
+}
+
+/// Wall time on two processors of about 3 GHz.
+double seconds_of(double atoms, int iterations) {
+  constexpr double seconds_per_atom_and_iteration = 4e-6;
+  return atoms * iterations * seconds_per_atom_and_iteration;
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1000.0 * megabyte ? decimals(bytes / megabyte, 0) + " MB"
+                                   : decimals(bytes / (1000.0 * megabyte), 1) + " GB";
+}
+
+/// An atom more would not have an index.
+constexpr double most_atoms = 2e7;
+
+void find_obstacles(const remesh::MeshComponents& components, BuildPlan& plan) {
+  if (plan.shell.atoms > most_atoms) {
+    plan.obstacles.push_back("about " + significant(plan.shell.atoms) +
+                             " atoms would be needed, more than " + significant(most_atoms) +
+                             "; make the shell smaller by --atoms, --length or --scale");
+  }
+  if (plan.free_memory && plan.memory > *plan.free_memory) {
+    plan.obstacles.push_back("about " + size_text(plan.memory) +
+                             " of memory would be needed, but only " +
+                             size_text(*plan.free_memory) + " are free; ask for fewer atoms");
+  }
+  const auto too_small = std::count_if(
+      components.parts.begin(), components.parts.end(), [&](const remesh::MeshComponent& part) {
+        return remesh::longest_edge_for(part.area, part.is_closed()) < plan.shell.edge_length;
+      });
+  if (too_small == 0) return;
+  if (plan.components == 1) {
+    plan.obstacles.push_back(
+        "the surface is too small for so few atoms or so long bonds; make the shell larger by "
+        "--atoms, --length or --scale");
+    return;
+  }
+  plan.obstacles.push_back(std::to_string(too_small) + " of the " +
+                           std::to_string(plan.components) +
+                           " components are too small for triangles of that edge length; keep "
+                           "--components largest, make the shell larger, or --repair wrap");
+}
+
+}  // namespace
+
+BuildPlan plan_build(const remesh::TriMesh& mesh, const dual::ShellOptions& options) {
+  const remesh::MeshComponents components = remesh::find_components(mesh);
+  BuildPlan plan;
+  plan.shell = dual::estimate_shell(mesh, options);
+  plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()));
+  plan.free_memory = free_memory();
+  plan.seconds = seconds_of(plan.shell.atoms, options.remesh.iterations);
+  plan.components = static_cast<int>(components.parts.size());
+  find_obstacles(components, plan);
+  return plan;
+}
+
+Json plan_json(const BuildPlan& plan) {
+  return {{"atoms", plan.shell.atoms},
+          {"edge_length", plan.shell.edge_length},
+          {"scale", plan.shell.scale},
+          {"components", plan.components},
+          {"memory_bytes", plan.memory},
+          {"free_memory_bytes", plan.free_memory ? Json(*plan.free_memory) : Json(nullptr)},
+          {"seconds", plan.seconds},
+          {"obstacles", plan.obstacles}};
+}
+
+std::vector<TableRow> plan_rows(const BuildPlan& plan) {
+  std::vector<TableRow> rows = {
+      {"a build would make"},
+      {"atoms", "about " + decimals(plan.shell.atoms, 0) + " in " +
+                    std::to_string(plan.components) +
+                    (plan.components == 1 ? " component" : " components")},
+      {"triangle edge", significant(plan.shell.edge_length) + " units of the input"},
+      {"scale", significant(plan.shell.scale) + " Å per unit"},
+      {"memory", "about " + size_text(plan.memory) +
+                     (plan.free_memory ? " of " + size_text(*plan.free_memory) + " free" : "")},
+      {"time", "about " + significant(plan.seconds, 1) + " s"}};
+  for (const std::string& obstacle : plan.obstacles) rows.push_back({"cannot be made", obstacle});
+  return rows;
+}
+
+}  // namespace trivalent::apps

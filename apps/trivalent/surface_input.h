@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "session.h"
+#include "trivalent/remesh/mesh.h"
+#include "trivalent/remesh/mesh_repair.h"
+#include "trivalent/remesh/polygon_soup.h"
+
+namespace trivalent::apps {
+
+/// --repair, --holes, --components, --wrap-alpha and --wrap-offset.
+void add_repair_options(po::options_description& options);
+
+/// @throws UsageError if a name is unknown.
+[[nodiscard]] remesh::RepairOptions repair_options(const Session& session);
+
+/// Reads points and triangles from a file, or from standard input if the path is "-".
+[[nodiscard]] remesh::TriangleSoup read_soup(const std::string& path);
+
+/// The same, made a sound surface as the options say.
+[[nodiscard]] remesh::RepairResult read_surface(const std::string& path, const Session& session);
+
+}  // namespace trivalent::apps
