@@ -8,6 +8,7 @@ packages=(
   libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
+  clang-14 libclang-rt-14-dev  # the fuzz targets
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies
   python3 python3-ase python3-numpy  # reads our files back in the tests

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Writes the seeds of every fuzz target into a folder each: small shapes and legal oddities.
+
+usage: make_corpus.py PROGRAM FOLDER
+"""
+import os
+import subprocess
+import sys
+
+POINTS = '0 0 0\n1 0 0\n0 1 0\n'
+PLY = 'element vertex 3\nproperty {0} x\nproperty {0} y\nproperty {0} z\nelement face 1\nproperty list {1} {2} vertex_indices\nend_header\n'
+SEEDS = {
+    'off': ['OFF # a\n# b\n\n3 1 0\n' + POINTS + '3 0 1 2\n',
+            ('3 1 0\n' + POINTS + '3 0 1 2\n').replace('\n', '\r\n'),
+            'COFF\n4 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3 4\n1 1 0 1 2 3 4\n0 1 0 1 2 3 4\n4 0 1 2 3 0.1 0.2\n',
+            'STNOFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2'],
+    'obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n',
+            'mtllib m\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n 3/1\nl 1 2\n',
+            'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\nv 0 2 0\nf 1 2 3 4 5\n'],
+    'ply': ['ply\nformat ascii 1.0\ncomment a\n' + PLY.format('double', 'uchar', 'int') + POINTS + '3 0 1 2\n',
+            'ply\nformat binary_big_endian 1.0\n' + PLY.format('char', 'char', 'char') + '123456789\3\0\1\2',
+            'ply\nformat binary_little_endian 1.0\n' + PLY.format('short', 'uchar', 'ushort')
+            + '\0\0\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0\3\0\0\1\0\2\0'],
+    'stl': ['solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n'],
+    'xyz': ['2\n0 0 0 0 0 1\n1 0 0 0 0 1 # last\n'],
+    'atoms': ['2\nenergy=1 pbc="F F F"\nC 0 0 0\nH 0 0 1.1\n'],
+    'options': ['sphere:radius=2\n--rings\n1\n--sigma=0.4\n', '--method\npaper\n-\n--seed=fill\n--json\n',
+                'a.off\n--restriction\nleast-squares\n--iterations\n3\n--feature-angle\n40\n--quiet\n'],
+    'repair': ['\1\0\2\6\0\2\7\2\6\0', '\0' + ''.join(chr(k) for k in range(54))],
+}
+SHAPES = ['sphere', 'torus', 'open-tube']
+
+
+def main(program, root):
+    for target, texts in SEEDS.items():
+        folder = os.path.join(root, target)
+        os.makedirs(folder, exist_ok=True)
+        for k, text in enumerate(texts):
+            with open(os.path.join(folder, f'seed-{k}'), 'wb') as file:
+                file.write(text.encode('latin-1'))
+    for shape in SHAPES:
+        paths = [os.path.join(root, kind, f'{shape}.{kind}') for kind in ('off', 'obj', 'ply', 'stl')]
+        for path in paths:
+            subprocess.run([program, 'shape', shape, path, '--edge', '0.9'], check=True, stdout=subprocess.DEVNULL)
+        for kind in ('extxyz', 'data'):
+            out = os.path.join(root, 'atoms', f'{shape}.{kind}')
+            subprocess.run([program, 'dual', paths[0], out, '--atom-style', 'molecular'], check=True,
+                           stdout=subprocess.DEVNULL)
+
+
+if __name__ == '__main__':
+    main(*sys.argv[1:])
