@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Takes every mesh of a folder through `inspect` and `build` and writes a table of what came out.
 
-usage: outcomes.py PROGRAM FOLDER TABLE.md [--atoms N] [--jobs N] [--wrap all|needed]
+usage: outcomes.py PROGRAM FOLDER TABLE.md [--atoms N] [--jobs N] [--wrap all|crossing|refused]
        [--wrap-program PROGRAM]
-Wraps are slow; they are only needed where there is no shell without crossings by default. The second program, if given,
+Wraps are slow; they can be left to meshes whose shell crosses itself, or that are refused, by default. The second program, if given,
 does the wraps, for example one without sanitizers.
 Ends with 1 if anything crashed, hung, leaked, was lost silently or made an invalid shell.
 """
@@ -43,7 +43,7 @@ def lost_silently(path, inspected):
 
 def shell_text(done, report):
     if done is None:
-        return 'not needed'
+        return 'not tried'
     if done.faults:
         return 'FAULT: ' + '; '.join(done.faults)
     if report is None:
@@ -79,7 +79,8 @@ def look_at(name, options, counts):
         looked.faults += lost_silently(path, inspected)
     plain, plain_report = build(options.program, path, size)
     wrapped, wrapped_report, which = None, None, ''
-    if options.wrap == 'all' or plain_report is None or plain_report['quality']['self_intersections'] > 0:
+    crosses = plain_report is not None and plain_report['quality']['self_intersections'] > 0
+    if options.wrap == 'all' or plain_report is None or (crosses and options.wrap == 'crossing'):
         wrapped, wrapped_report, which = wrap(options.wrap_program or options.program, path, size)
     verdict = 'FAULT: ' + '; '.join(looked.faults) if looked.faults else inspected.get('verdict', '?')
     counts['faults'] += sum(len(done.faults) for done in (looked, plain, wrapped) if done)
@@ -102,7 +103,7 @@ def main():
     parser.add_argument('folder')
     parser.add_argument('table')
     parser.add_argument('--atoms', type=int, default=5000)
-    parser.add_argument('--wrap', choices=['all', 'needed'], default='all')
+    parser.add_argument('--wrap', choices=['all', 'crossing', 'refused'], default='all')
     parser.add_argument('--wrap-program')
     parser.add_argument('--jobs', type=int, default=1)
     options = parser.parse_args()
