@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <chrono>
 #include <filesystem>
 #include <ostream>
@@ -18,7 +16,7 @@
 #include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/hydrogen.h"
-#include "trivalent/dual/lammps_data.h"
+#include "trivalent/dual/lammps_package.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/remesh/mesh_components.h"
@@ -80,31 +78,10 @@ Grammar grammar_of_build() {
   grammar.epilog =
       "SHAPE is a mesh file (OFF, OBJ, PLY, STL, or points in XYZ; - is standard input) or a\n"
       "built-in shape.\n"
-      "Writes surface.off, shell.extxyz, shell.data, in.check (run it with lmp -in in.check),\n"
-      "energy.ply and report.json.\n\n" +
+      "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply and\n"
+      "report.json.\n\n" +
       shapes_help();
   return grammar;
-}
-
-/// Refuses, before any work, a folder that could not be made or filled afterwards.
-void check_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::path existing = std::filesystem::absolute(folder);
-  while (!std::filesystem::exists(existing, error) && existing != existing.root_path()) {
-    existing = existing.parent_path();
-  }
-  const bool is_folder = std::filesystem::is_directory(existing, error);
-  if (is_folder && access(existing.c_str(), W_OK) == 0) return;
-  throw remesh::FileError("build: cannot write into " + folder.string() + ": " + existing.string() +
-                          (is_folder ? " is not writable" : " is not a folder"));
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && std::filesystem::is_directory(folder, error)) return;
-  throw remesh::FileError("build: cannot make the folder " + folder.string() + ": " +
-                          (error ? error.message() : "something else is called so"));
 }
 
 /// Energies of the dual of the surface as it came, at the same mean bond. Such a dual may be beyond
@@ -211,11 +188,8 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
 
   const dual::LammpsData data = {.atoms = frame.atoms, .bonds = network.bonds};
   const dual::AtomStyle style = atom_style(session);
-  dual::write_lammps_data(folder / "shell.data", data, {.style = style, .digits = digits(session)});
-  dual::write_lammps_check(folder / "in.check", {.data_file = "shell.data",
-                                                 .style = style,
-                                                 .has_hydrogen = network.hydrogens > 0,
-                                                 .expected_energy = record.energy.energy});
+  dual::write_lammps_package(folder, data, record.energy.energy,
+                             {.data = {.style = style, .digits = digits(session)}});
 
   const auto scale = dual::make_color_scale(record.energy.energies, dual::graphene_energy);
   dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies, {.scale = scale});

@@ -24,6 +24,7 @@ extern const Command build_command;
 extern const Command remesh_command;
 extern const Command dual_command;
 extern const Command energy_command;
+extern const Command lammps_command;
 extern const Command inspect_command;
 extern const Command shape_command;
 

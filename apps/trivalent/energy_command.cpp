@@ -6,8 +6,7 @@
 #include "reports.h"
 #include "session.h"
 #include "shell_files.h"
-#include "size_options.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "structure.h"
 #include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
 
@@ -15,13 +14,6 @@ namespace trivalent::apps {
 namespace {
 
 constexpr std::array<std::string_view, 3> energy_extensions = {".extxyz", ".xyz", ".ply"};
-
-/// Atoms to be evaluated; network has bonds and rings if they come from a mesh, else positions
-/// only.
-struct Subject {
-  dual::XyzFrame frame;
-  dual::Network network;
-};
 
 Grammar grammar_of_energy() {
   Grammar grammar = {.arguments = {"FILE"}, .options = po::options_description("Options")};
@@ -31,58 +23,20 @@ Grammar grammar_of_energy() {
       ("output,o", po::value<std::string>(),
        "write energies per atom: .extxyz, or .ply with colors (and rings, if FILE is a mesh)")  //
       ("worst", with_default(5), "how many atoms of highest energy to list, >= 0")              //
-      ("periodic", po::value<std::string>(),
-       "periodic directions as in xyz, x, none; default: as FILE says; LAMMPS data: xyz")  //
       ("digits", with_default(std::string("decimals")), "of the output: decimals or 17");
-  po::options_description sizes("Size of the dual, if FILE is a mesh");
-  add_dual_size_options(sizes);
-  grammar.options.add(sizes);
+  add_structure_options(grammar.options);
   return grammar;
 }
 
-Subject read_mesh_dual(const std::string& path, const Session& session) {
-  remesh::TriMesh mesh = read_mesh_file(path, session.terminal);
-  remesh::scale(mesh, dual::scale_for_size(mesh, dual_size(session)));
-  Subject subject;
-  subject.network = dual::build_dual(mesh);
-  subject.frame = shell_frame(subject.network);
-  return subject;
-}
-
-Subject read_subject(const std::string& path, const Session& session) {
-  const std::string extension = extension_of(path);
-  Subject subject;
-  if (extension == ".extxyz" || extension == ".xyz") {
-    subject.frame = dual::read_xyz(path);
-  } else if (extension == ".data" || extension == ".lmp") {
-    dual::LammpsData data = dual::read_lammps_data(path);
-    subject.frame = {.atoms = std::move(data.atoms), .notes = std::move(data.notes)};
-  } else {
-    return read_mesh_dual(path, session);
-  }
-  session.terminal.notes(subject.frame.notes);
-  subject.network.positions = subject.frame.atoms.positions;
-  return subject;
-}
-
-std::array<bool, 3> periodic_directions(const std::string& text) {
-  if (text == "none") return {false, false, false};
-  if (text.empty() || text.find_first_not_of("xyz") != std::string::npos) {
-    throw UsageError("--periodic is made of x, y and z, or none, not '" + text + "'");
-  }
-  const auto has = [&](char axis) { return text.find(axis) != std::string::npos; };
-  return {has('x'), has('y'), has('z')};
-}
-
-void write_result(const Subject& subject, const potentials::EnergyForces& energy,
+void write_result(const Structure& structure, const potentials::EnergyForces& energy,
                   const Session& session) {
   const std::filesystem::path output = session.get<std::string>("output");
   if (extension_of(output) == ".ply") {
     const auto scale = dual::make_color_scale(energy.energies, dual::graphene_energy);
-    dual::write_energy_ply(output, subject.network, energy.energies, {.scale = scale});
+    dual::write_energy_ply(output, structure.network, energy.energies, {.scale = scale});
     return;
   }
-  dual::XyzFrame frame = subject.frame;
+  dual::XyzFrame frame = structure.frame;
   add_energies(frame, energy);
   if (!session.has("forces")) {
     std::erase_if(frame.columns,
@@ -91,11 +45,11 @@ void write_result(const Subject& subject, const potentials::EnergyForces& energy
   dual::write_xyz(output, frame, digits(session));
 }
 
-void add_worst_atoms(const Subject& subject, const potentials::EnergyForces& energy,
+void add_worst_atoms(const Structure& structure, const potentials::EnergyForces& energy,
                      const dual::EnergySummary& summary, Result& result) {
   result.json["worst"] = Json::array();
   for (const int atom : summary.worst) {
-    const Eigen::Vector3d& position = subject.network.positions[atom];
+    const Eigen::Vector3d& position = structure.network.positions[atom];
     const int id = atom + 1;
     result.json["worst"].push_back({{"id", id},
                                     {"energy", energy.energies[atom]},
@@ -120,18 +74,18 @@ void add_forces(const potentials::EnergyForces& energy, Result& result) {
   result.json["forces"] = std::move(forces);
 }
 
-Result describe(const Subject& subject, const potentials::EnergyForces& energy,
+Result describe(const Structure& structure, const potentials::EnergyForces& energy,
                 const Session& session) {
   const auto summary = dual::summarize_energies(energy.energies, session.get<int>("worst"));
   const auto& potential = session.get<std::string>("potential");
   Result result = {.table = {{"potential", potential},
-                             {"atoms", std::to_string(subject.frame.atoms.size())},
+                             {"atoms", std::to_string(structure.frame.atoms.size())},
                              {"energy", decimals(energy.energy, 8) + " eV"},
                              {"per atom", decimals(summary.mean, 8) + " eV"}},
                    .json = {{"file", session.get<std::string>("FILE")},
                             {"potential", potential},
                             {"unit", "eV"},
-                            {"atoms", subject.frame.atoms.size()},
+                            {"atoms", structure.frame.atoms.size()},
                             {"energy", energy.energy},
                             {"energy_per_atom", summary.mean}}};
   if (is_rebo(session)) {
@@ -143,7 +97,7 @@ Result describe(const Subject& subject, const potentials::EnergyForces& energy,
                                                       decimals(summary.highest, 4) + " eV"});
   result.json["lowest"] = summary.lowest;
   result.json["highest"] = summary.highest;
-  add_worst_atoms(subject, energy, summary, result);
+  add_worst_atoms(structure, energy, summary, result);
   if (session.has("forces")) add_forces(energy, result);
   return result;
 }
@@ -151,7 +105,7 @@ Result describe(const Subject& subject, const potentials::EnergyForces& energy,
 void check_options(const Session& session) {
   if (session.get<int>("worst") < 0) throw UsageError("--worst must be >= 0");
   static_cast<void>(digits(session));
-  static_cast<void>(dual_size(session));
+  check_structure_options(session);
   check_potential(session);
   if (session.has("output")) {
     check_output(session.get<std::string>("output"), energy_extensions);
@@ -162,13 +116,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_energy());
   if (!session) return done;
   check_options(*session);
-  Subject subject = read_subject(session->get<std::string>("FILE"), *session);
-  if (const auto periodic = session->find<std::string>("periodic")) {
-    subject.frame.atoms.box.periodic = periodic_directions(*periodic);
-  }
-  const potentials::EnergyForces energy = evaluate(subject.frame.atoms, *session);
-  if (session->has("output")) write_result(subject, energy, *session);
-  session->terminal.print(describe(subject, energy, *session));
+  const Structure structure = read_structure(session->get<std::string>("FILE"), *session);
+  const potentials::EnergyForces energy = evaluate(structure.frame.atoms, *session);
+  if (session->has("output")) write_result(structure, energy, *session);
+  session->terminal.print(describe(structure, energy, *session));
   return done;
 }
 

@@ -1,5 +1,7 @@
 #include "files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <sstream>
@@ -47,6 +49,26 @@ void check_output(const std::filesystem::path& path, std::span<const std::string
   if (std::filesystem::is_directory(path, error)) {
     throw remesh::FileError("cannot write " + path.string() + ": it is a folder");
   }
+}
+
+void check_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::path existing = std::filesystem::absolute(folder);
+  while (!std::filesystem::exists(existing, error) && existing != existing.root_path()) {
+    existing = existing.parent_path();
+  }
+  const bool is_folder = std::filesystem::is_directory(existing, error);
+  if (is_folder && access(existing.c_str(), W_OK) == 0) return;
+  throw remesh::FileError("cannot write into " + folder.string() + ": " + existing.string() +
+                          (is_folder ? " is not writable" : " is not a folder"));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && std::filesystem::is_directory(folder, error)) return;
+  throw remesh::FileError("cannot make the folder " + folder.string() + ": " +
+                          (error ? error.message() : "something else is called so"));
 }
 
 ShapeCall parse_shape(std::string_view text) {

@@ -25,6 +25,14 @@ inline constexpr std::array<std::string_view, 4> mesh_extensions = {".off", ".ob
 /// @throws remesh::FileError if its folder does not exist or it is a folder itself.
 void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions);
 
+/// Refuses, before any work, a folder that could not be made or filled afterwards.
+///
+/// @throws remesh::FileError if something else is called so or it is not writable.
+void check_folder(const std::filesystem::path& folder);
+
+/// @throws remesh::FileError if the folder is not there and cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
 /// A built-in shape and its parameters, as in "torus:R=3,r=1".
 struct ShapeCall {
   std::string name;

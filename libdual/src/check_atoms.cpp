@@ -1,5 +1,7 @@
 #include "check_atoms.h"
 
+#include <algorithm>
+
 #include "trivalent/dual/carbon_atoms.h"
 #include "trivalent/dual/error.h"
 
@@ -14,6 +16,10 @@ void check_atoms(std::string_view writer, const potentials::Atoms& atoms) {
     if (atoms.positions[i].allFinite()) continue;
     throw InvalidNetwork(concat(writer, ": atom ", i, " has a coordinate that is not finite"));
   }
+}
+
+bool has_hydrogen(const potentials::Atoms& atoms) {
+  return std::ranges::find(atoms.species, potentials::Species::hydrogen) != atoms.species.end();
 }
 
 potentials::Box box_to_write(const potentials::Atoms& atoms) {

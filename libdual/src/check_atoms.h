@@ -11,6 +11,8 @@ namespace trivalent::dual {
 /// @throws InvalidNetwork if a coordinate is not finite, or species are not as many as positions.
 void check_atoms(std::string_view writer, const potentials::Atoms& atoms);
 
+[[nodiscard]] bool has_hydrogen(const potentials::Atoms& atoms);
+
 /// The atoms' own box, or a padded one for a cluster without.
 [[nodiscard]] potentials::Box box_to_write(const potentials::Atoms& atoms);
 

@@ -14,11 +14,6 @@ namespace {
 using potentials::Atoms;
 using potentials::Box;
 
-bool has_hydrogen(const Atoms& atoms) {
-  return std::find(atoms.species.begin(), atoms.species.end(), potentials::Species::hydrogen) !=
-         atoms.species.end();
-}
-
 int type_of(potentials::Species species) { return species == potentials::Species::carbon ? 1 : 2; }
 
 bool writes_bonds(const LammpsData& data, const LammpsDataOptions& options) {
@@ -53,18 +48,58 @@ void check_bonds(const LammpsData& data) {
   }
 }
 
+void check_part(const LammpsData& data, const LammpsDataOptions& options) {
+  if (!options.part) return;
+  if (options.part->begin > options.part->end || options.part->end > data.atoms.size()) {
+    throw InvalidOption(concat("write_lammps_data: the part ", options.part->begin, " to ",
+                               options.part->end, " is not within the ", data.atoms.size(),
+                               " atoms"));
+  }
+  if (options.style == AtomStyle::molecular) {
+    throw InvalidOption(
+        "write_lammps_data: bonds cannot be written in parts; use atomic style, or one file");
+  }
+}
+
+AtomRange part_of(const LammpsData& data, const LammpsDataOptions& options) {
+  return options.part.value_or(AtomRange{0, data.atoms.size()});
+}
+
+// All pairs of bonds at an atom, with the atom in the middle; ordered by that atom.
+std::vector<std::array<int, 3>> angles_of(const LammpsData& data) {
+  std::vector<std::vector<int>> neighbors(data.atoms.size());
+  for (const auto& [first, second] : data.bonds) {
+    neighbors[static_cast<std::size_t>(first)].push_back(second);
+    neighbors[static_cast<std::size_t>(second)].push_back(first);
+  }
+  std::vector<std::array<int, 3>> angles;
+  for (std::size_t middle = 0; middle < neighbors.size(); ++middle) {
+    const std::vector<int>& ends = neighbors[middle];
+    for (std::size_t a = 0; a < ends.size(); ++a) {
+      for (std::size_t b = a + 1; b < ends.size(); ++b) {
+        angles.push_back({ends[a], static_cast<int>(middle), ends[b]});
+      }
+    }
+  }
+  return angles;
+}
+
 void check_title(const std::string& title) {
   // LAMMPS reads lines of up to 254 characters.
   if (title.size() <= 200 && title.find_first_of("\r\n") == std::string::npos) return;
   throw InvalidOption("write_lammps_data: the title must be one line of at most 200 characters");
 }
 
-void write_counts(std::ostream& out, const LammpsData& data, const LammpsDataOptions& options) {
+void write_counts(std::ostream& out, const LammpsData& data, const LammpsDataOptions& options,
+                  std::size_t n_angles) {
+  const auto [begin, end] = part_of(data, options);
   out << "LAMMPS data file: " << options.title << "\n\n";
-  out << data.atoms.size() << " atoms\n";
+  out << end - begin << " atoms\n";
   if (writes_bonds(data, options)) out << data.bonds.size() << " bonds\n";
+  if (n_angles > 0) out << n_angles << " angles\n";
   out << (has_hydrogen(data.atoms) ? 2 : 1) << " atom types\n";
   if (writes_bonds(data, options)) out << "1 bond types\n";
+  if (n_angles > 0) out << "1 angle types\n";
   out << '\n';
 }
 
@@ -99,11 +134,13 @@ void write_masses(std::ostream& out, const Atoms& atoms) {
   out << '\n';
 }
 
-void write_atoms(std::ostream& out, const Atoms& atoms, const LammpsDataOptions& options) {
+void write_atoms(std::ostream& out, const LammpsData& data, const LammpsDataOptions& options) {
+  const Atoms& atoms = data.atoms;
   const bool is_molecular = options.style == AtomStyle::molecular;
   out << "Atoms # " << (is_molecular ? "molecular" : "atomic") << "\n\n";
   std::string line;
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
+  const auto [begin, end] = part_of(data, options);
+  for (std::size_t i = begin; i < end; ++i) {
     line.clear();
     append_integer(line, static_cast<std::int64_t>(i) + 1);
     if (is_molecular) line += " 1";
@@ -118,16 +155,19 @@ void write_atoms(std::ostream& out, const Atoms& atoms, const LammpsDataOptions&
   }
 }
 
-void write_bonds(std::ostream& out, const std::vector<std::array<int, 2>>& bonds) {
-  out << "\nBonds\n\n";
+// Bonds or angles, all of type 1.
+template <typename Group>
+void write_groups(std::ostream& out, std::string_view section, const std::vector<Group>& groups) {
+  out << '\n' << section << "\n\n";
   std::string line;
-  for (std::size_t i = 0; i < bonds.size(); ++i) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     line.clear();
     append_integer(line, static_cast<std::int64_t>(i) + 1);
-    line += " 1 ";
-    append_integer(line, bonds[i][0] + 1);
-    line += ' ';
-    append_integer(line, bonds[i][1] + 1);
+    line += " 1";
+    for (const int atom : groups[i]) {
+      line += ' ';
+      append_integer(line, std::int64_t{atom} + 1);
+    }
     line += '\n';
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
   }
@@ -135,18 +175,31 @@ void write_bonds(std::ostream& out, const std::vector<std::array<int, 2>>& bonds
 
 }  // namespace
 
+void require_lammps_ids(std::uint64_t atoms) {
+  if (atoms <= most_lammps_atoms) return;
+  throw InvalidNetwork(concat("write_lammps_data: ", atoms,
+                              " atoms; LAMMPS counts them with 32 bits "
+                              "unless it is built with -DLAMMPS_SIZES=bigbig, up to ",
+                              most_lammps_atoms, "; make the shell smaller"));
+}
+
 void write_lammps_data(std::ostream& out, const LammpsData& data,
                        const LammpsDataOptions& options) {
+  require_lammps_ids(data.atoms.size());
   const Box box = box_to_write(data.atoms);
   check_atoms("write_lammps_data", data.atoms);
   check_bonds(data);
   check_box(box);
   check_title(options.title);
-  write_counts(out, data, options);
+  check_part(data, options);
+  const bool has_angles = options.angles && writes_bonds(data, options);
+  const auto angles = has_angles ? angles_of(data) : std::vector<std::array<int, 3>>{};
+  write_counts(out, data, options, angles.size());
   write_box(out, box);
   write_masses(out, data.atoms);
-  write_atoms(out, data.atoms, options);
-  if (writes_bonds(data, options)) write_bonds(out, data.bonds);
+  write_atoms(out, data, options);
+  if (writes_bonds(data, options)) write_groups(out, "Bonds", data.bonds);
+  if (!angles.empty()) write_groups(out, "Angles", angles);
 }
 
 void write_lammps_data(const std::filesystem::path& path, const LammpsData& data,

@@ -185,30 +185,5 @@ TEST(ReadLammpsData, ThrowsOnAMissingFile) {
   EXPECT_THROW(static_cast<void>(read_lammps_data("/nonexistent.data")), FileError);
 }
 
-std::string check_deck(const LammpsCheckOptions& options) {
-  std::ostringstream out;
-  write_lammps_check(out, options);
-  return out.str();
-}
-
-TEST(WriteLammpsCheck, KeepsForcesBetweenBondedAtoms) {
-  const std::string deck = check_deck({.data_file = "a.data", .style = AtomStyle::molecular});
-  EXPECT_NE(deck.find("special_bonds lj/coul 1.0 1.0 1.0\nbond_style   zero\n"), std::string::npos);
-  EXPECT_EQ(check_deck({.data_file = "a.data"}).find("bond"), std::string::npos);
-}
-
-TEST(WriteLammpsCheck, ThrowsOnFileNamesThatLammpsCannotRead) {
-  for (const std::string name : {"", "a\"b", "a$b", "a\nb", "a b"}) {
-    EXPECT_THROW(check_deck({.data_file = name}), InvalidOption) << name;
-    EXPECT_THROW(check_deck({.data_file = "a.data", .potential_file = name}), InvalidOption)
-        << name;
-  }
-}
-
-TEST(WriteLammpsCheck, ThrowsWhereNoFileCanBe) {
-  EXPECT_THROW(write_lammps_check("/nonexistent/folder/in.check", {.data_file = "a.data"}),
-               FileError);
-}
-
 }  // namespace
 }  // namespace trivalent::dual

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
@@ -26,22 +27,36 @@ struct LammpsData {
   std::vector<std::string> notes = {};         ///< reading: one sentence per kind of thing left out
 };
 
+/// Atoms [begin, end).
+struct AtomRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 struct LammpsDataOptions {
   AtomStyle style = AtomStyle::atomic;  ///< atomic leaves the bonds out
+  bool angles = false;                  ///< molecular style: also all pairs of bonds at an atom
   Digits digits = Digits::ten_decimals;
   std::string title =
       "carbon shell";  ///< first line of the file [at most 200 characters, one line]
+  /// Only these atoms, for files that `read_data ... add merge` joins; atomic style only.
+  std::optional<AtomRange> part = {};
 };
+
+/// LAMMPS as distributions build it counts atoms with 32 bits.
+inline constexpr std::uint64_t most_lammps_atoms = 2147483647;
+
+/// @throws InvalidNetwork if there are more atoms than that.
+void require_lammps_ids(std::uint64_t atoms);
 
 /// Writes a data file [LAMMPS]: ids are 1 to n in order, C is type 1 and H type 2 (if there are
 /// any). Atoms that are periodic in no direction and have no box get a padded one.
 ///
-/// @throws InvalidNetwork if a coordinate is not finite, species are not one per atom, or a bond
-/// names an
-///   atom that does not exist.
+/// @throws InvalidNetwork if a coordinate is not finite, species are not one per atom, a bond names
+///   an atom that does not exist, or there are too many atoms.
 /// @throws InvalidOption  if the box's cell is not LAMMPS's (a along x, b in the xy plane, a
-/// right-handed
-///   cell, tilts of at most half a side), or the title is too long or not one line.
+///   right-handed cell, tilts of at most half a side), the title is too long or not one line, or a
+///   part is not one of the atoms or asked for in molecular style.
 void write_lammps_data(std::ostream& out, const LammpsData& data,
                        const LammpsDataOptions& options = {});
 
@@ -60,29 +75,5 @@ void write_lammps_data(const std::filesystem::path& path, const LammpsData& data
 /// atom_style,
 ///   masses of other elements than C and H, or atoms twice; the message names the line.
 [[nodiscard]] LammpsData read_lammps_data(const std::filesystem::path& path);
-
-/// What the check deck needs to know about the data file.
-struct LammpsCheckOptions {
-  std::string data_file;  ///< as read_data finds it; must be set by the caller
-  AtomStyle style = AtomStyle::atomic;
-  std::array<bool, 3> periodic = {false, false, false};
-  bool has_hydrogen = false;
-  std::string potential_file = "CH.rebo";  ///< `lmp -var potential FILE` overrides it
-  /// Total [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its size.
-  std::optional<double> expected_energy = {};
-};
-
-/// Writes a LAMMPS input script that reads the data file, computes `pair_style rebo` energies per
-/// atom once, prints total and mean with 15 digits, and ends with status 1 if the total is not the
-/// expected.
-///
-/// @throws InvalidOption if a file name is empty or has a blank, quote, '$', '&', '#' or control
-/// character.
-void write_lammps_check(std::ostream& out, const LammpsCheckOptions& options);
-
-/// The same into a file, which appears whole or not at all.
-///
-/// @throws FileError if the file cannot be written.
-void write_lammps_check(const std::filesystem::path& path, const LammpsCheckOptions& options);
 
 }  // namespace trivalent::dual

@@ -1,0 +1,109 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include "command.h"
+#include "files.h"
+#include "potential_options.h"
+#include "session.h"
+#include "shell_files.h"
+#include "structure.h"
+#include "trivalent/dual/lammps_package.h"
+#include "trivalent/potentials/rebo.h"
+
+namespace trivalent::apps {
+namespace {
+
+constexpr std::string_view potential_name = "CH.rebo";
+
+Grammar grammar_of_lammps() {
+  Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
+  const dual::LammpsPackageOptions defaults;
+  grammar.options.add_options()                                                          //
+      ("output,o", po::value<std::string>(), "folder for the results; made if missing")  //
+      ("angles", "write angles too; with --atom-style molecular")                        //
+      ("gzip", "compress the data file")                                                 //
+      ("atoms-per-file", with_default(defaults.atoms_per_file),
+       "write data of more atoms in parts, >= 1")  //
+      ("potential-file", po::value<std::string>(), "CH.rebo; default: LAMMPS finds it");
+  add_file_options(grammar.options);
+  add_structure_options(grammar.options);
+  return grammar;
+}
+
+bool is_where_lammps_looks() {
+  const char* folder = std::getenv("LAMMPS_POTENTIALS");
+  for (const std::filesystem::path place :
+       {folder != nullptr ? folder : ".", "/usr/share/lammps/potentials"}) {
+    if (std::filesystem::exists(place / potential_name)) return true;
+  }
+  return false;
+}
+
+// The name of the potential file for the input scripts.
+std::string potential_file(const Session& session) {
+  if (const auto named = session.find<std::string>("potential-file")) {
+    if (!std::filesystem::is_regular_file(*named)) {
+      throw UsageError("--potential-file: there is no file '" + *named + "'");
+    }
+    return std::filesystem::absolute(*named).lexically_normal().string();
+  }
+  if (!is_where_lammps_looks()) {
+    session.terminal.note(
+        "CH.rebo is not on this machine; it comes with LAMMPS (Debian: lammps-data). Set "
+        "LAMMPS_POTENTIALS to its folder, or name it with --potential-file");
+  }
+  return std::string(potential_name);
+}
+
+dual::LammpsPackageOptions package_options(const Session& session) {
+  const bool has_angles = session.has("angles");
+  if (has_angles && atom_style(session) != dual::AtomStyle::molecular) {
+    throw UsageError("--angles needs --atom-style molecular");
+  }
+  const auto compression = session.has("gzip") ? dual::Compression::gzip : dual::Compression::none;
+  return {.data = {.style = atom_style(session), .angles = has_angles, .digits = digits(session)},
+          .potential_file = potential_file(session),
+          .compression = compression,
+          .atoms_per_file = session.get<std::size_t>("atoms-per-file")};
+}
+
+int run(const Command& self, std::span<const std::string> arguments) {
+  const auto session = start(self, arguments, grammar_of_lammps());
+  if (!session) return done;
+  if (!session->has("output")) throw UsageError("-o must say into which folder the files go");
+  check_structure_options(*session);
+  const dual::LammpsPackageOptions options = package_options(*session);
+  const std::filesystem::path folder = session->get<std::string>("output");
+  check_folder(folder);
+
+  Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
+  const double energy = potentials::rebo(structure.frame.atoms).energy;
+  const dual::LammpsData data = {.atoms = std::move(structure.frame.atoms),
+                                 .bonds = std::move(structure.network.bonds)};
+  make_folder(folder);
+  const auto names = dual::write_lammps_package(folder, data, energy, options);
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  session->terminal.print({.table = {{"atoms", std::to_string(data.atoms.size())},
+                                     {"energy", decimals(energy, 8) + " eV"},
+                                     {"folder", folder.string()},
+                                     {"files", list},
+                                     {"next", "cd " + folder.string() + " && lmp -in in.check"}},
+                           .json = {{"atoms", data.atoms.size()},
+                                    {"energy", energy},
+                                    {"folder", folder.string()},
+                                    {"files", names}}});
+  return done;
+}
+
+}  // namespace
+
+const Command lammps_command = {
+    .name = "lammps",
+    .synopsis = "NETWORK -o DIR [--atom-style molecular [--angles]] [--gzip] [options]",
+    .meaning =
+        "Writes a folder with which LAMMPS can start: data, and input scripts that check, "
+        "relax and run it",
+    .run = run};
+
+}  // namespace trivalent::apps

@@ -1,0 +1,90 @@
+#include "trivalent/dual/lammps_package.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "small_meshes.h"
+#include "temporary_folder.h"
+#include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/carbon_atoms.h"
+
+namespace trivalent::dual {
+namespace {
+
+using testing_support::content_of;
+using testing_support::TemporaryFolder;
+
+LammpsData c20() {
+  const Network network = build_dual(testing_support::icosahedron());
+  return {.atoms = carbon_atoms(network), .bonds = network.bonds};
+}
+
+TEST(LammpsPackage, WritesEveryFileItNames) {
+  const TemporaryFolder folder;
+  const auto names = write_lammps_package(folder.path(), c20(), -1.0);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"shell.data", "in.check", "in.relax", "in.md", "README.md"}));
+  for (const std::string& name : names) {
+    EXPECT_GT(std::filesystem::file_size(folder.path() / name), 100u) << name;
+  }
+}
+
+TEST(LammpsPackage, CompressedDataIsTheSameData) {
+  const TemporaryFolder folder;
+  const LammpsData data = c20();
+  const auto names =
+      write_lammps_package(folder.path(), data, -1.0, {.compression = Compression::gzip});
+  ASSERT_EQ(names.front(), "shell.data.gz");
+  EXPECT_EQ(content_of(folder.path() / names.front()).substr(0, 2), "\x1f\x8b");
+  const LammpsData back = read_lammps_data(folder.path() / names.front());
+  ASSERT_EQ(back.atoms.size(), data.atoms.size());
+  for (std::size_t i = 0; i < data.atoms.size(); ++i) {
+    EXPECT_LT((back.atoms.positions[i] - data.atoms.positions[i]).norm(), 1e-9);
+  }
+}
+
+TEST(LammpsPackage, PartsHoldEveryAtomOnce) {
+  const TemporaryFolder folder;
+  const LammpsData data = c20();
+  (void)write_lammps_package(folder.path(), data, -1.0);
+  (void)write_lammps_package(folder.path(), data, -1.0, {.name = "part", .atoms_per_file = 7});
+  const auto rows = [&](const std::string& name) {
+    const std::string text = content_of(folder.path() / name);
+    return text.substr(text.find("Atoms # atomic\n\n") + 16);
+  };
+  EXPECT_EQ(rows("part.1.data") + rows("part.2.data") + rows("part.3.data"), rows("shell.data"));
+  EXPECT_NE(content_of(folder.path() / "part.3.data").find("\n6 atoms\n"), std::string::npos);
+}
+
+TEST(LammpsPackage, WritesThreeAnglesAtEveryAtom) {
+  const TemporaryFolder folder;
+  const LammpsDataOptions options = {.style = AtomStyle::molecular, .angles = true};
+  (void)write_lammps_package(folder.path(), c20(), -1.0, {.data = options});
+  const std::string text = content_of(folder.path() / "shell.data");
+  EXPECT_NE(text.find("\n30 bonds\n60 angles\n"), std::string::npos);
+  std::istringstream rows(text.substr(text.find("Angles\n\n") + 8));
+  std::vector<int> middles(20, 0);
+  int id = 0, type = 0, first = 0, middle = 0, last = 0;
+  while (rows >> id >> type >> first >> middle >> last) ++middles.at(middle - 1);
+  EXPECT_EQ(middles, std::vector<int>(20, 3));
+}
+
+TEST(LammpsPackage, ThrowsOnWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  const LammpsDataOptions molecular = {.style = AtomStyle::molecular};
+  EXPECT_THROW(write_lammps_package(folder.path(), c20(), -1.0, {.atoms_per_file = 0}),
+               InvalidOption);
+  EXPECT_THROW(
+      write_lammps_package(folder.path(), c20(), -1.0, {.data = molecular, .atoms_per_file = 7}),
+      InvalidOption);
+  EXPECT_THROW(write_lammps_package("/nonexistent/folder", c20(), -1.0), FileError);
+}
+
+TEST(LammpsPackage, ThrowsBeyondTheIdsOfLammps) {
+  EXPECT_NO_THROW(require_lammps_ids(most_lammps_atoms));
+  EXPECT_THROW(require_lammps_ids(most_lammps_atoms + 1), InvalidNetwork);
+}
+
+}  // namespace
+}  // namespace trivalent::dual
