@@ -158,6 +158,14 @@ TriangleSoup triangulate(const PolygonSoup& soup) {
       }
     }
   }
+  // A corner may come again further on in its polygon.
+  const std::size_t folded = std::erase_if(result.triangles, [](const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  });
+  if (folded > 0) {
+    result.notes.push_back(
+        concat("dropped ", counted(folded, "triangle"), " that repeated a corner"));
+  }
   if (repeated > 0)
     result.notes.push_back(concat("merged ", counted(repeated, "repeated corner"), " of faces"));
   if (dropped > 0) {

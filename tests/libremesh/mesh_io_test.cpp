@@ -619,6 +619,18 @@ TEST(Triangulate, RefusesConcavePolygonsOfManyCorners) {
   EXPECT_THROW((void)split(comb), InvalidMesh);
 }
 
+TEST(Triangulate, DropsTrianglesThatRepeatACornerAndSaysSo) {
+  // Found by fuzzing: a corner that comes again, but not next to itself.
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.corners = {0, 1, 0, 2};
+  soup.ends = {4};
+  const TriangleSoup result = triangulate(soup);
+  for (const auto& [a, b, c] : result.triangles) EXPECT_TRUE(a != b && b != c && c != a);
+  EXPECT_LT(result.triangles.size(), 2u);
+  EXPECT_NE(result.notes.front().find("that repeated a corner"), std::string::npos);
+}
+
 TEST(Triangulate, DropsDegenerateFacesAndSaysSo) {
   PolygonSoup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
