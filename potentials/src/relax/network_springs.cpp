@@ -1,0 +1,126 @@
+#include "relax/network_springs.h"
+
+#include <algorithm>
+
+#include "parallel.h"
+#include "trivalent/potentials/neighbor_list.h"
+
+namespace trivalent::potentials::relax_detail {
+
+namespace {
+
+// Contacts are searched again once an atom has moved half of this [Å].
+constexpr double contact_skin = 0.8;
+
+std::array<std::int32_t, 3> back(const std::array<std::int32_t, 3>& image) {
+  return {-image[0], -image[1], -image[2]};
+}
+
+}  // namespace
+
+NetworkSprings::NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds,
+                               const SpringOptions& options)
+    : options_(options), first_bonded_(atoms.size() + 1, 0), bonded_(2 * bonds.size()) {
+  for (const Bond& bond : bonds) {
+    ++first_bonded_[bond.first + 1];
+    ++first_bonded_[bond.second + 1];
+  }
+  for (std::size_t i = 0; i < atoms.size(); ++i) first_bonded_[i + 1] += first_bonded_[i];
+  std::vector<std::size_t> next(first_bonded_.begin(), first_bonded_.end() - 1);
+  for (const Bond& bond : bonds) {
+    bonded_[next[bond.first]++] = {bond.second, bond.image};
+    bonded_[next[bond.second]++] = {bond.first, back(bond.image)};
+  }
+  bends_.assign(atoms.size(), Eigen::Vector3d::Zero());
+  result_.energies.assign(atoms.size(), 0.0);
+  result_.forces.assign(atoms.size(), Eigen::Vector3d::Zero());
+}
+
+Eigen::Vector3d NetworkSprings::separation(const Atoms& atoms, std::size_t atom,
+                                           const Link& link) const {
+  Eigen::Vector3d between = atoms.positions[link.atom] - atoms.positions[atom];
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t times = link.image[static_cast<std::size_t>(k)];
+    if (times != 0) between += times * atoms.box.cell.col(k);
+  }
+  return between;
+}
+
+const EnergyForces& NetworkSprings::evaluate(const Atoms& atoms) {
+  if (have_moved(atoms)) find_contacts(atoms);
+  find_bends(atoms);
+  result_.energy = sum_over_chunks<double>(atoms.size(), [&](std::size_t begin, std::size_t end) {
+    double energy = 0.0;
+    for (std::size_t i = begin; i < end; ++i) energy += evaluate_atom(atoms, i);
+    return energy;
+  });
+  return result_;
+}
+
+bool NetworkSprings::have_moved(const Atoms& atoms) const {
+  if (positions_of_contacts_.size() != atoms.size()) return true;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const double way = (atoms.positions[i] - positions_of_contacts_[i]).norm();
+    if (!(way <= 0.5 * contact_skin)) return true;
+  }
+  return false;
+}
+
+void NetworkSprings::find_contacts(const Atoms& atoms) {
+  const NeighborList neighbors(atoms, options_.contact + contact_skin);
+  first_contact_.assign(1, 0);
+  contacts_.clear();
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const auto own = bonded(i);
+    for (const Neighbor& neighbor : neighbors[i]) {
+      const Link link = {neighbor.atom, neighbor.image};
+      if (std::find(own.begin(), own.end(), link) == own.end()) contacts_.push_back(link);
+    }
+    first_contact_.push_back(contacts_.size());
+  }
+  positions_of_contacts_ = atoms.positions;
+}
+
+void NetworkSprings::find_bends(const Atoms& atoms) {
+  for_each_chunk(atoms.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto own = bonded(i);
+      bends_[i].setZero();
+      // At the edge of an open network there is no saying where an atom wants to be.
+      if (own.size() < 3) continue;
+      for (const Link& link : own) bends_[i] += separation(atoms, i, link);
+      bends_[i] /= static_cast<double>(own.size());
+    }
+  });
+}
+
+// Sets the force on an atom; returns its half of all pairs and its own bend.
+double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom) {
+  Eigen::Vector3d force = options_.smoothness * bends_[atom];
+  double energy = 0.5 * options_.smoothness * bends_[atom].squaredNorm();
+  for (const Link& link : bonded(atom)) {
+    const Eigen::Vector3d between = separation(atoms, atom, link);
+    const double length = between.norm();
+    const double excess = length - std::clamp(length, options_.shortest, options_.longest);
+    energy += add_spring(between, excess, options_.bond_stiffness, force);
+    const auto n_bonded = static_cast<double>(bonded(link.atom).size());
+    force -= options_.smoothness / n_bonded * bends_[link.atom];
+  }
+  for (std::size_t k = first_contact_[atom]; k < first_contact_[atom + 1]; ++k) {
+    const Eigen::Vector3d between = separation(atoms, atom, contacts_[k]);
+    const double excess = std::min(between.norm() - options_.contact, 0.0);
+    energy += add_spring(between, excess, options_.contact_stiffness, force);
+  }
+  result_.energies[atom] = energy;
+  result_.forces[atom] = force;
+  return energy;
+}
+
+double NetworkSprings::add_spring(const Eigen::Vector3d& between, double excess, double stiffness,
+                                  Eigen::Vector3d& force) const {
+  if (excess == 0.0) return 0.0;
+  force += stiffness * excess * between.stableNormalized();
+  return 0.25 * stiffness * excess * excess;
+}
+
+}  // namespace trivalent::potentials::relax_detail

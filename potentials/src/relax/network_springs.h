@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "trivalent/potentials/relax.h"
+
+namespace trivalent::potentials::relax_detail {
+
+/// Stiffness and range of the springs.
+struct SpringOptions {
+  double bond_stiffness;     ///< [eV/Å²]
+  double shortest;           ///< bonds between this and `longest` feel no spring [Å]
+  double longest;            ///< [Å]
+  double smoothness;         ///< of springs from atoms to the mean of their bonded ones [eV/Å²]
+  double contact;            ///< atoms without a bond push each other away below this [Å]
+  double contact_stiffness;  ///< [eV/Å²]
+};
+
+/// Springs on a network: they cannot tear. They draw a rough network towards equal bonds and a
+/// smooth surface, or keep bonds within bounds under another potential.
+class NetworkSprings {
+ public:
+  NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds, const SpringOptions& options);
+
+  /// The result holds no virial and is valid until the next call.
+  [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);
+
+ private:
+  struct Link {
+    std::uint32_t atom;
+    std::array<std::int32_t, 3> image;
+    friend bool operator==(const Link&, const Link&) = default;
+  };
+
+  [[nodiscard]] std::span<const Link> bonded(std::size_t atom) const {
+    return std::span(bonded_).subspan(first_bonded_[atom],
+                                      first_bonded_[atom + 1] - first_bonded_[atom]);
+  }
+  [[nodiscard]] Eigen::Vector3d separation(const Atoms& atoms, std::size_t atom,
+                                           const Link& link) const;
+  void find_bends(const Atoms& atoms);
+  void find_contacts(const Atoms& atoms);
+  [[nodiscard]] bool have_moved(const Atoms& atoms) const;
+  [[nodiscard]] double evaluate_atom(const Atoms& atoms, std::size_t atom);
+  [[nodiscard]] double add_spring(const Eigen::Vector3d& between, double excess, double stiffness,
+                                  Eigen::Vector3d& force) const;
+
+  SpringOptions options_;
+  std::vector<std::size_t> first_bonded_;
+  std::vector<Link> bonded_;  // both directions of every bond, by atom
+  std::vector<std::size_t> first_contact_;
+  std::vector<Link> contacts_;  // pairs that may come into contact, likewise
+  std::vector<Eigen::Vector3d> positions_of_contacts_;
+  std::vector<Eigen::Vector3d> bends_;  // from each atom to the mean of its bonded ones
+  EnergyForces result_;
+};
+
+}  // namespace trivalent::potentials::relax_detail
