@@ -25,6 +25,7 @@ extern const Command remesh_command;
 extern const Command dual_command;
 extern const Command energy_command;
 extern const Command lammps_command;
+extern const Command relax_command;
 extern const Command inspect_command;
 extern const Command shape_command;
 

@@ -61,6 +61,28 @@ potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const Session&
   return chosen_potential(session).evaluate(atoms, session);
 }
 
+std::string potential_text(const Session& session) {
+  const auto lj = lennard_jones_options(session);
+  std::ostringstream text;
+  text.precision(17);
+  text << chosen_potential(session).name << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff
+       << ' ' << lj.shift;
+  return text.str();
+}
+
+potentials::EnergyFunction energy_function(const Session& session) {
+  if (is_rebo(session)) {
+    const auto rebo = std::make_shared<potentials::Rebo>();
+    return [rebo](const potentials::Atoms& atoms) -> const potentials::EnergyForces& {
+      return rebo->evaluate(atoms);
+    };
+  }
+  const auto result = std::make_shared<potentials::EnergyForces>();
+  return [result, &session](const potentials::Atoms& atoms) -> const potentials::EnergyForces& {
+    return *result = evaluate(atoms, session);
+  };
+}
+
 bool is_rebo(const Session& session) { return chosen_potential(session).name == "rebo"; }
 
 }  // namespace trivalent::apps

@@ -2,9 +2,12 @@
 
 #include <string>
 
+#include <string>
+
 #include "session.h"
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/relax.h"
 
 namespace trivalent::apps {
 
@@ -17,6 +20,12 @@ void check_potential(const Session& session);
 /// Evaluates the potential that the options choose.
 [[nodiscard]] potentials::EnergyForces evaluate(const potentials::Atoms& atoms,
                                                 const Session& session);
+
+/// The same for atoms that move.
+[[nodiscard]] potentials::EnergyFunction energy_function(const Session& session);
+
+/// The potential and its parameters in words.
+[[nodiscard]] std::string potential_text(const Session& session);
 
 /// Whether energies may be compared with those of graphene under REBO.
 [[nodiscard]] bool is_rebo(const Session& session);

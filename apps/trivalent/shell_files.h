@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "session.h"
@@ -27,5 +28,8 @@ void add_file_options(po::options_description& options);
 /// A network with its coordinations and rings, and its energies and forces where there are any.
 [[nodiscard]] dual::XyzFrame shell_frame(const dual::Network& network);
 void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result);
+
+/// Adds the column `displacement` [Å]: from where the atoms were to where they are.
+void add_displacements(dual::XyzFrame& frame, std::span<const Eigen::Vector3d> before);
 
 }  // namespace trivalent::apps

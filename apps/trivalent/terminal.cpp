@@ -10,6 +10,8 @@
 namespace trivalent::apps {
 namespace {
 
+constexpr std::string_view clear_line = "\r\x1b[K";
+
 bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 std::string bar(const remesh::RemeshProgress& state) {
@@ -51,9 +53,14 @@ void Terminal::progress(const remesh::RemeshProgress& state) const {
     std::cerr << state_line(state) << '\n';
     return;
   }
-  constexpr std::string_view clear_line = "\r\x1b[K";
   const bool is_last = state.iteration >= state.iterations;
   std::cerr << clear_line << bar(state) << ' ' << state_line(state) << (is_last ? "\n" : "")
+            << std::flush;
+}
+
+void Terminal::progress(const std::string& line) const {
+  if (remarks_ == Remarks::none) return;
+  std::cerr << (is_terminal() ? clear_line : "") << line << (is_terminal() ? "" : "\n")
             << std::flush;
 }
 

@@ -35,6 +35,8 @@ class Terminal {
   void notes(const std::vector<std::string>& sentences) const;
   /// A bar that grows in place on a terminal; elsewhere a line per iteration.
   void progress(const remesh::RemeshProgress& state) const;
+  /// A line that the next one replaces on a terminal.
+  void progress(const std::string& line) const;
   void print(const Result& result) const;
 
  private:

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "command.h"
+#include "files.h"
+#include "fixed_atoms.h"
+#include "interruption.h"
+#include "potential_options.h"
+#include "relax_files.h"
+#include "relax_report.h"
+#include "reports.h"
+#include "session.h"
+#include "shell_files.h"
+#include "structure.h"
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/potentials/error.h"
+#include "trivalent/potentials/relax.h"
+
+namespace trivalent::apps {
+namespace {
+
+constexpr std::array<std::string_view, 2> relax_extensions = {".extxyz", ".xyz"};
+
+Grammar grammar_of_relax() {
+  Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
+  grammar.options.add_options()  //
+      ("output,o", po::value<std::string>(), "the relaxed atoms, .extxyz; must be given");
+  const potentials::RelaxOptions defaults;
+  grammar.options.add_options()  //
+      ("max-force", with_default(defaults.max_force),
+       "done once no atom has a larger force [eV/Å]")  //
+      ("energy-change", with_default(defaults.energy_change),
+       "or once ten steps together gain less than this [eV per atom]; 0: never")         //
+      ("max-steps", with_default(defaults.max_steps), "or after so many steps")          //
+      ("minimizer", with_default(std::string("lbfgs")), "lbfgs or fire")                 //
+      ("fix", po::value<std::vector<std::string>>(), fix_meaning)                        //
+      ("relax-box", "let the periodic cell vectors relax too, until no stress is left")  //
+      ("trajectory", po::value<std::string>(),
+       "file for the structures on the way, .extxyz")                     //
+      ("every", with_default(10), "steps from one of these to the next")  //
+      ("checkpoint-every", with_default(defaults.checkpoint_every),
+       "steps from one checkpoint (OUT.extxyz.checkpoint) to the next; a run that was killed goes "
+       "on from there when it is started again");
+  add_potential_options(grammar.options);
+  grammar.options.add_options()  //
+      ("digits", with_default(std::string("decimals")), "of the output: decimals or 17");
+  add_structure_options(grammar.options);
+  grammar.epilog =
+      "NETWORK is extended XYZ, LAMMPS data, or a mesh, whose dual is meant. A mesh and molecular\n"
+      "LAMMPS data say which atoms are bonded; elsewhere atoms within 2 Å are.\n";
+  return grammar;
+}
+
+potentials::Minimizer minimizer(const Session& session) {
+  const auto& name = session.get<std::string>("minimizer");
+  if (name == "lbfgs") return potentials::Minimizer::lbfgs;
+  if (name == "fire") return potentials::Minimizer::fire;
+  throw UsageError("--minimizer is lbfgs or fire, not '" + name + "'");
+}
+
+/// Bonds as the input has them, or else as they are.
+std::vector<potentials::Bond> network_bonds(const Structure& structure, const Session& session) {
+  if (!structure.network.bonds.empty()) {
+    return potentials::bonds_between(structure.frame.atoms, structure.network.bonds);
+  }
+  session.terminal.note("the input names no bonds: atoms within 2 Å are bonded");
+  return potentials::bonds_within(structure.frame.atoms, potentials::bond_reach);
+}
+
+std::string_view name_of(potentials::RelaxStage stage) {
+  switch (stage) {
+    case potentials::RelaxStage::springs:
+      return "springs";
+    case potentials::RelaxStage::guarded:
+      return "potential and springs";
+    case potentials::RelaxStage::free:
+      break;
+  }
+  return "potential";
+}
+
+/// Tells the terminal now and then how far a relaxation has come.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const Terminal& terminal) : terminal_(terminal) {}
+
+  void operator()(const potentials::RelaxProgress& state) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (first_ < 0) first_ = state.steps;
+    if (seconds < next_) return;
+    next_ = seconds + 1.0;
+    const double per_second = state.steps > first_ ? (state.steps - first_) / seconds : 0.0;
+    terminal_.progress("relaxing (" + std::string(name_of(state.stage)) + "): step " +
+                       std::to_string(state.steps) + ", energy " + decimals(state.energy, 4) +
+                       " eV, largest force " + significant(state.largest_force) + " eV/Å, " +
+                       significant(per_second, 3) + " steps/s");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Terminal& terminal_;
+  Clock::time_point begin_ = Clock::now();
+  double next_ = 1.0;
+  int first_ = -1;  // step that this run began with
+};
+
+potentials::RelaxOptions relax_options(const Structure& structure,
+                                       const std::vector<potentials::Bond>& bonds,
+                                       const Session& session) {
+  potentials::RelaxOptions options = {.minimizer = minimizer(session),
+                                      .max_force = session.get<double>("max-force"),
+                                      .energy_change = session.get<double>("energy-change"),
+                                      .max_steps = session.get<int>("max-steps"),
+                                      .box = session.has("relax-box")
+                                                 ? potentials::BoxPolicy::pressure_free
+                                                 : potentials::BoxPolicy::fixed,
+                                      .bonds = bonds,
+                                      .checkpoint_every = session.get<int>("checkpoint-every")};
+  if (const auto groups = session.find<std::vector<std::string>>("fix")) {
+    options.fixed = atoms_in_groups(*groups, structure.frame.atoms, bonds);
+  }
+  return options;
+}
+
+std::filesystem::path checkpoint_path(const Session& session) {
+  return session.get<std::string>("output") + ".checkpoint";
+}
+
+/// Takes up what an interrupted run has left; returns the atoms to begin with.
+potentials::Atoms resume_or_start(const Structure& structure, const std::string& mark,
+                                  Trajectory* trajectory, potentials::RelaxOptions& options,
+                                  const Session& session) {
+  auto saved = load_relaxation(checkpoint_path(session), mark);
+  if (saved && trajectory != nullptr && !trajectory->resume(saved->trajectory_size, saved->steps)) {
+    saved.reset();
+  }
+  if (!saved) {
+    if (trajectory != nullptr) trajectory->start();
+    return structure.frame.atoms;
+  }
+  session.terminal.note("going on from " + checkpoint_path(session).string() + ", step " +
+                        std::to_string(saved->steps));
+  options.start = potentials::RelaxStart::direct;
+  options.first_step = saved->steps;
+  options.first_evaluation = saved->evaluations;
+  // A box that only frames a cluster comes back padded.
+  if (!saved->atoms.box.is_periodic()) saved->atoms.box = structure.frame.atoms.box;
+  return std::move(saved->atoms);
+}
+
+/// Relaxes the atoms, with checkpoint, trajectory and progress as the options want them.
+potentials::RelaxResult relax_structure(const Structure& structure,
+                                        const std::vector<potentials::Bond>& bonds,
+                                        const StopRequest& stop, const Session& session) {
+  potentials::RelaxOptions options = relax_options(structure, bonds, session);
+  const std::string mark = fingerprint(structure.frame.atoms, options, potential_text(session));
+  std::optional<Trajectory> trajectory;
+  if (session.has("trajectory")) {
+    trajectory.emplace(session.get<std::string>("trajectory"), session.get<int>("every"));
+  }
+  potentials::Atoms atoms =
+      resume_or_start(structure, mark, trajectory ? &*trajectory : nullptr, options, session);
+  potentials::EnergyFunction potential = energy_function(session);
+  options.on_checkpoint = [&](const potentials::RelaxCheckpoint& state) {
+    save_relaxation(checkpoint_path(session), mark, state, trajectory ? trajectory->size() : 0);
+    potential = energy_function(session);
+  };
+  ProgressLine line(session.terminal);
+  options.on_progress = [&](const potentials::RelaxProgress& state) {
+    if (trajectory) trajectory->add(state);
+    line(state);
+    return !stop.is_made();
+  };
+  auto relaxed = potentials::relax(std::move(atoms), std::cref(potential), options);
+  if (trajectory && !stop.is_made()) trajectory->finish();
+  return relaxed;
+}
+
+Result describe(const RelaxReport& report, const potentials::RelaxResult& relaxed,
+                const Session& session) {
+  const auto summary = dual::summarize_energies(relaxed.result.energies, 0);
+  Result result = {.table = {{"potential", session.get<std::string>("potential")},
+                             {"atoms", std::to_string(relaxed.atoms.size())},
+                             {"energy", decimals(summary.total, 8) + " eV"},
+                             {"per atom", decimals(summary.mean, 8) + " eV"}},
+                   .json = {{"network", session.get<std::string>("NETWORK")},
+                            {"potential", session.get<std::string>("potential")},
+                            {"unit", "eV"},
+                            {"atoms", relaxed.atoms.size()},
+                            {"energy", relaxed.result.energy},
+                            {"energy_per_atom", summary.mean}}};
+  if (is_rebo(session)) {
+    result.table.push_back(
+        {"above graphene", decimals(1000.0 * summary.excess(), 3) + " meV/atom"});
+    result.json["excess_per_atom"] = summary.excess();
+  }
+  append(result.table, relax_rows(report, relaxed));
+  result.json["relaxation"] = relax_json(report, relaxed);
+  return result;
+}
+
+void write_result(const Structure& structure, const potentials::RelaxResult& relaxed,
+                  const Session& session) {
+  dual::XyzFrame frame = structure.frame;
+  const std::vector<Eigen::Vector3d> before = std::move(frame.atoms.positions);
+  frame.atoms = relaxed.atoms;
+  add_energies(frame, relaxed.result);
+  add_displacements(frame, before);
+  dual::write_xyz(session.get<std::string>("output"), frame, digits(session));
+}
+
+void check_options(const Session& session) {
+  if (!session.has("output")) throw UsageError("-o must say into which file the result goes");
+  check_output(session.get<std::string>("output"), relax_extensions);
+  static_cast<void>(digits(session));
+  check_structure_options(session);
+  check_potential(session);
+  static_cast<void>(minimizer(session));
+  if (session.get<int>("every") < 1) throw UsageError("--every must be at least 1");
+  if (session.has("trajectory")) {
+    check_output(session.get<std::string>("trajectory"), relax_extensions);
+  }
+}
+
+int run(const Command& self, std::span<const std::string> arguments) {
+  const auto session = start(self, arguments, grammar_of_relax());
+  if (!session) return done;
+  check_options(*session);
+  const Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
+  const auto bonds = network_bonds(structure, *session);
+  const StopRequest stop;
+  const potentials::RelaxResult relaxed = relax_structure(structure, bonds, stop, *session);
+  write_result(structure, relaxed, *session);
+  // A run that was stopped can be taken up again.
+  if (!stop.is_made()) std::filesystem::remove(checkpoint_path(*session));
+  const RelaxReport report = report_relaxation(structure.frame.atoms.positions, bonds, relaxed);
+  session->terminal.notes(relax_notes(report, relaxed));
+  session->terminal.print(describe(report, relaxed, *session));
+  return stop.exit_code();
+}
+
+}  // namespace
+
+const Command relax_command = {
+    .name = "relax",
+    .synopsis = "NETWORK -o OUT.extxyz [--max-force F] [--minimizer lbfgs|fire] [options]",
+    .meaning = "Brings atoms, or the dual of a mesh, to rest without tearing a bond",
+    .run = run};
+
+}  // namespace trivalent::apps

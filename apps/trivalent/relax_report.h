@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "reports.h"
+#include "trivalent/potentials/bonds.h"
+#include "trivalent/potentials/relax.h"
+
+namespace trivalent::apps {
+
+/// What a relaxation did to atoms and their bonds.
+struct RelaxReport {
+  potentials::BondChanges bonds;
+  double displacement_rms = 0.0;      ///< [Å]
+  double displacement_largest = 0.0;  ///< [Å]
+};
+
+/// @param before  positions before the relaxation [Å]
+[[nodiscard]] RelaxReport report_relaxation(std::span<const Eigen::Vector3d> before,
+                                            std::span<const potentials::Bond> bonds,
+                                            const potentials::RelaxResult& relaxed);
+
+[[nodiscard]] Json relax_json(const RelaxReport& report, const potentials::RelaxResult& relaxed);
+[[nodiscard]] std::vector<TableRow> relax_rows(const RelaxReport& report,
+                                               const potentials::RelaxResult& relaxed);
+
+/// One sentence for each thing that is not as it should be.
+[[nodiscard]] std::vector<std::string> relax_notes(const RelaxReport& report,
+                                                   const potentials::RelaxResult& relaxed);
+
+}  // namespace trivalent::apps
