@@ -9,8 +9,9 @@ namespace trivalent::apps {
 namespace {
 
 [[noreturn]] void complain(std::string_view group) {
-  throw UsageError("--fix is edge, ids:1-9,12, sphere:x,y,z,radius or box:x0,y0,z0,x1,y1,z1, not '" +
-                   std::string(group) + "'");
+  throw UsageError(
+      "--fix is edge, ids:1-9,12, sphere:x,y,z,radius or box:x0,y0,z0,x1,y1,z1, not '" +
+      std::string(group) + "'");
 }
 
 template <typename Number>
@@ -67,9 +68,8 @@ void mark_region(std::string_view numbers, std::string_view group, const potenti
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Eigen::Vector3d& x = atoms.positions[i];
     const bool is_in = is_sphere ? (x - from).norm() <= values[3]
-                                 : (x.array() >= from.array()).all() &&
-                                       x.x() <= values[3] && x.y() <= values[4] &&
-                                       x.z() <= values[5];
+                                 : (x.array() >= from.array()).all() && x.x() <= values[3] &&
+                                       x.y() <= values[4] && x.z() <= values[5];
     marks[i] = marks[i] || is_in;
   }
 }

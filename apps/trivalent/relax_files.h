@@ -15,8 +15,8 @@ namespace trivalent::apps {
                                       const potentials::RelaxOptions& options,
                                       const std::string& potential);
 
-/// Structures on the way, one after the other in one file. It has the name with .part added until it
-/// is complete.
+/// Structures on the way, one after the other in one file. It has the name with .part added until
+/// it is complete.
 class Trajectory {
  public:
   Trajectory(std::filesystem::path path, int every);

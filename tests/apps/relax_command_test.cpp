@@ -42,12 +42,57 @@ TEST_F(RelaxCommand, SaysWhenItDidNotConverge) {
   EXPECT_NE(run.err.find("did not converge"), std::string::npos);
 }
 
+TEST_F(RelaxCommand, GoesOnAfterBeingKilled) {
+  succeed("shape sphere s.off --edge 0.13");
+  const std::string command = "relax s.off --checkpoint-every 10 --every 3 --digits 17 ";
+  succeed(command + "-o whole.extxyz --trajectory whole.traj.extxyz");
+  for (int moment = 1; moment <= 12; ++moment) {
+    const std::string seconds = "0.0" + std::to_string(10 + 7 * moment);
+    const auto run = shell("timeout -s KILL " + seconds + " " TRIVALENT_PROGRAM " " + command +
+                           "-o killed.extxyz --trajectory killed.traj.extxyz");
+    if (has("killed.extxyz")) {
+      EXPECT_EQ(content("killed.extxyz"), content("whole.extxyz"));
+    }
+    if (run.exit_code == 0) break;
+  }
+  succeed(command + "-o killed.extxyz --trajectory killed.traj.extxyz");
+  EXPECT_EQ(content("killed.extxyz"), content("whole.extxyz"));
+  EXPECT_EQ(content("killed.traj.extxyz"), content("whole.traj.extxyz"));
+  EXPECT_FALSE(has("killed.extxyz.checkpoint"));
+  EXPECT_FALSE(has("killed.traj.extxyz.part"));
+}
+
+TEST_F(RelaxCommand, TakesNoCheckpointOfAnotherRelaxation) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("relax s.off -o a.extxyz");
+  write("b.extxyz.checkpoint", "1\nfingerprint=x1 Properties=species:S:1:pos:R:3\nC 0 0 0\n");
+  succeed("relax s.off -o b.extxyz");
+  EXPECT_EQ(content("a.extxyz"), content("b.extxyz"));
+}
+
+TEST_F(RelaxCommand, KeepsFixedAtoms) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.extxyz");
+  succeed("relax s.off -o out.extxyz --fix ids:1-2,5 --fix sphere:0,0,1000,1");
+  const auto line = [&](const std::string& name, int atom) {
+    std::istringstream in(content(name));
+    std::string text;
+    for (int k = 0; k < atom + 2; ++k) std::getline(in, text);
+    return text.substr(0, text.find(" 3 "));  // species and position
+  };
+  for (const int id : {1, 2, 5}) EXPECT_EQ(line("out.extxyz", id), line("s.extxyz", id));
+  EXPECT_NE(line("out.extxyz", 3), line("s.extxyz", 3));
+}
+
 TEST_F(RelaxCommand, RefusesWhatMakesNoSense) {
   succeed("shape sphere s.off --edge 0.3");
   expect_failure(2, "-o", "relax s.off");
   expect_failure(2, "extension", "relax s.off -o out.txt");
   expect_failure(2, "--minimizer", "relax s.off -o out.extxyz --minimizer newton");
   expect_failure(2, "max_force", "relax s.off -o out.extxyz --max-force 0");
+  expect_failure(2, "--fix", "relax s.off -o out.extxyz --fix ids:0");
+  expect_failure(2, "--fix", "relax s.off -o out.extxyz --fix corner");
+  expect_failure(2, "--every", "relax s.off -o out.extxyz --every 0");
   EXPECT_FALSE(has("out.extxyz"));
 }
 

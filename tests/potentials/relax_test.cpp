@@ -84,17 +84,16 @@ TEST_P(EveryMinimizer, LeavesFixedAtomsWhereTheyAre) {
   EXPECT_NE(relaxed.atoms.positions[0], shell.positions[0]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Relax, EveryMinimizer,
-                         testing::Values(Minimizer::lbfgs, Minimizer::fire),
+INSTANTIATE_TEST_SUITE_P(Relax, EveryMinimizer, testing::Values(Minimizer::lbfgs, Minimizer::fire),
                          [](const auto& tested) {
                            return tested.param == Minimizer::fire ? "Fire" : "Lbfgs";
                          });
 
 TEST(Relax, FindsGraphenesBondLengthWithAFreeCell) {
   Atoms sheet = graphene(3, 2, 1.47);
-  const auto relaxed = relax_under_rebo(sheet, {.max_force = 1e-5,
-                                                .box = BoxPolicy::pressure_free,
-                                                .bonds = bonds_within(sheet, 1.8)});
+  const auto relaxed = relax_under_rebo(
+      sheet,
+      {.max_force = 1e-5, .box = BoxPolicy::pressure_free, .bonds = bonds_within(sheet, 1.8)});
   EXPECT_TRUE(relaxed.converged);
   EXPECT_NEAR(energy_per_atom(relaxed), -7.394997, 1e-6);
   for (const Bond& bond : bonds_within(relaxed.atoms, 1.8)) {
