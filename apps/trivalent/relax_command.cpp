@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <functional>
 
 #include "command.h"
@@ -68,43 +67,6 @@ std::vector<potentials::Bond> network_bonds(const Structure& structure, const Se
   return potentials::bonds_within(structure.frame.atoms, potentials::bond_reach);
 }
 
-std::string_view name_of(potentials::RelaxStage stage) {
-  switch (stage) {
-    case potentials::RelaxStage::springs:
-      return "springs";
-    case potentials::RelaxStage::guarded:
-      return "potential and springs";
-    case potentials::RelaxStage::free:
-      break;
-  }
-  return "potential";
-}
-
-/// Tells the terminal now and then how far a relaxation has come.
-class ProgressLine {
- public:
-  explicit ProgressLine(const Terminal& terminal) : terminal_(terminal) {}
-
-  void operator()(const potentials::RelaxProgress& state) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-    if (first_ < 0) first_ = state.steps;
-    if (seconds < next_) return;
-    next_ = seconds + 1.0;
-    const double per_second = state.steps > first_ ? (state.steps - first_) / seconds : 0.0;
-    terminal_.progress("relaxing (" + std::string(name_of(state.stage)) + "): step " +
-                       std::to_string(state.steps) + ", energy " + decimals(state.energy, 4) +
-                       " eV, largest force " + significant(state.largest_force) + " eV/Å, " +
-                       significant(per_second, 3) + " steps/s");
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const Terminal& terminal_;
-  Clock::time_point begin_ = Clock::now();
-  double next_ = 1.0;
-  int first_ = -1;  // step that this run began with
-};
-
 potentials::RelaxOptions relax_options(const Structure& structure,
                                        const std::vector<potentials::Bond>& bonds,
                                        const Session& session) {
@@ -166,10 +128,10 @@ potentials::RelaxResult relax_structure(const Structure& structure,
     save_relaxation(checkpoint_path(session), mark, state, trajectory ? trajectory->size() : 0);
     potential = energy_function(session);
   };
-  ProgressLine line(session.terminal);
+  RelaxLine line(session.terminal);
   options.on_progress = [&](const potentials::RelaxProgress& state) {
     if (trajectory) trajectory->add(state);
-    line(state);
+    line.show(state);
     return !stop.is_made();
   };
   auto relaxed = potentials::relax(std::move(atoms), std::cref(potential), options);

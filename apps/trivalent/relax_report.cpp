@@ -24,6 +24,18 @@ std::string ids_text(const std::vector<potentials::Bond>& bonds) {
   return text + (bonds.size() > most ? ", ..." : "");
 }
 
+std::string_view name_of(potentials::RelaxStage stage) {
+  switch (stage) {
+    case potentials::RelaxStage::springs:
+      return "springs";
+    case potentials::RelaxStage::guarded:
+      return "potential and springs";
+    case potentials::RelaxStage::free:
+      break;
+  }
+  return "potential";
+}
+
 std::map<int, int> atoms_by_coordination(const RelaxReport& report) {
   std::map<int, int> counts;
   for (const int coordination : report.bonds.coordinations) ++counts[coordination];
@@ -101,6 +113,18 @@ std::vector<std::string> relax_notes(const RelaxReport& report,
                     significant(potentials::bond_reach) + " Å): atoms " + ids_text(bonds.formed));
   }
   return notes;
+}
+
+void RelaxLine::show(const potentials::RelaxProgress& state) {
+  if (!first_step_) first_step_ = state.steps;
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+  if (seconds < next_) return;
+  next_ = seconds + 1.0;
+  const double per_second = (state.steps - *first_step_) / seconds;
+  terminal_.progress("relaxing (" + std::string(name_of(state.stage)) + "): step " +
+                     std::to_string(state.steps) + ", energy " + decimals(state.energy, 4) +
+                     " eV, largest force " + significant(state.largest_force) + " eV/Å, " +
+                     significant(per_second, 3) + " steps/s");
 }
 
 }  // namespace trivalent::apps

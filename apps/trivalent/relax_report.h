@@ -1,6 +1,9 @@
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "reports.h"
@@ -28,5 +31,19 @@ struct RelaxReport {
 /// One sentence for each thing that is not as it should be.
 [[nodiscard]] std::vector<std::string> relax_notes(const RelaxReport& report,
                                                    const potentials::RelaxResult& relaxed);
+
+/// Tells the terminal now and then how far a relaxation has come.
+class RelaxLine {
+ public:
+  explicit RelaxLine(const Terminal& terminal) : terminal_(terminal) {}
+  void show(const potentials::RelaxProgress& state);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Terminal& terminal_;
+  Clock::time_point begin_ = Clock::now();
+  double next_ = 1.0;              // [s]
+  std::optional<int> first_step_;  // that this run began with
+};
 
 }  // namespace trivalent::apps

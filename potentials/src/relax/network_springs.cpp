@@ -12,6 +12,8 @@ namespace {
 // Contacts are searched again once an atom has moved half of this [Å].
 constexpr double contact_skin = 0.8;
 
+constexpr double hydrogen_bond = 1.09;  // to carbon [Å]
+
 std::array<std::int32_t, 3> back(const std::array<std::int32_t, 3>& image) {
   return {-image[0], -image[1], -image[2]};
 }
@@ -44,6 +46,14 @@ Eigen::Vector3d NetworkSprings::separation(const Atoms& atoms, std::size_t atom,
     if (times != 0) between += times * atoms.box.cell.col(k);
   }
   return between;
+}
+
+double NetworkSprings::excess(const Atoms& atoms, std::size_t atom, const Link& link,
+                              double length) const {
+  const bool has_hydrogen =
+      atoms.species[atom] == Species::hydrogen || atoms.species[link.atom] == Species::hydrogen;
+  if (has_hydrogen) return length - hydrogen_bond;
+  return length - std::clamp(length, options_.shortest, options_.longest);
 }
 
 const EnergyForces& NetworkSprings::evaluate(const Atoms& atoms) {
@@ -100,16 +110,15 @@ double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom) {
   double energy = 0.5 * options_.smoothness * bends_[atom].squaredNorm();
   for (const Link& link : bonded(atom)) {
     const Eigen::Vector3d between = separation(atoms, atom, link);
-    const double length = between.norm();
-    const double excess = length - std::clamp(length, options_.shortest, options_.longest);
-    energy += add_spring(between, excess, options_.bond_stiffness, force);
+    energy += add_spring(between, excess(atoms, atom, link, between.norm()),
+                         options_.bond_stiffness, force);
     const auto n_bonded = static_cast<double>(bonded(link.atom).size());
     force -= options_.smoothness / n_bonded * bends_[link.atom];
   }
   for (std::size_t k = first_contact_[atom]; k < first_contact_[atom + 1]; ++k) {
     const Eigen::Vector3d between = separation(atoms, atom, contacts_[k]);
-    const double excess = std::min(between.norm() - options_.contact, 0.0);
-    energy += add_spring(between, excess, options_.contact_stiffness, force);
+    const double overlap = std::min(between.norm() - options_.contact, 0.0);
+    energy += add_spring(between, overlap, options_.contact_stiffness, force);
   }
   result_.energies[atom] = energy;
   result_.forces[atom] = force;

@@ -40,6 +40,9 @@ class NetworkSprings {
   }
   [[nodiscard]] Eigen::Vector3d separation(const Atoms& atoms, std::size_t atom,
                                            const Link& link) const;
+  /// By how much a bond is longer (> 0) or shorter than its spring [Å].
+  [[nodiscard]] double excess(const Atoms& atoms, std::size_t atom, const Link& link,
+                              double length) const;
   void find_bends(const Atoms& atoms);
   void find_contacts(const Atoms& atoms);
   [[nodiscard]] bool have_moved(const Atoms& atoms) const;

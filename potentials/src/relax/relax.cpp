@@ -74,6 +74,10 @@ constexpr double longest_bond = 1.65;
 
 bool Relaxation::has_carbon_bonds() const {
   return std::all_of(options_.bonds.begin(), options_.bonds.end(), [&](const Bond& bond) {
+    const auto& species = result_.atoms.species;
+    const bool is_carbon =
+        species[bond.first] == Species::carbon && species[bond.second] == Species::carbon;
+    if (!is_carbon) return true;
     const double length = bond_length(result_.atoms, bond);
     return length >= shortest_bond && length <= longest_bond;
   });
