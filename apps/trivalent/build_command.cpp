@@ -57,6 +57,7 @@ struct BuildRecord {
   dual::EnergySummary energy_before = {};
   bool has_energy_before = false;
   Stopwatch stopwatch = {};
+  int exit_code = done;  ///< of a build that was stopped early: 128 + the signal
 };
 
 Grammar grammar_of_build() {
@@ -141,15 +142,16 @@ void note_findings(BuildRecord& record) {
   }
 }
 
-dual::ShellOptions shell_options(const Session& session) {
+dual::ShellOptions shell_options(const Session& session, std::optional<StopRequest>& stop) {
   return {.size = shell_size(session),
           .bond = session.get<double>("bond"),
-          .remesh = remesh_options(session)};
+          .method = remesh_method(session, stop)};
 }
 
 BuildRecord build(const Session& session) {
   BuildRecord record;
-  const dual::ShellOptions options = shell_options(session);
+  std::optional<StopRequest> stop;
+  const dual::ShellOptions options = shell_options(session, stop);
   BuildInput input = read_build_input(session, options);
   check_plan(plan_build(input.mesh, options));
   record.notes = std::move(input.notes);
@@ -157,6 +159,11 @@ BuildRecord build(const Session& session) {
   record.stopwatch.finish("read");
 
   record.shell = dual::build_shell(input.mesh, options);
+  if (record.shell.surface.stopped) {
+    record.notes.push_back(stopped_note(record.shell.surface));
+    record.exit_code = stop->exit_code();
+  }
+  stop.reset();  // from here on there is nothing to keep
   record.stopwatch.finish("remesh_and_dual");
   record.wrap_offset = input.wrap_offset * record.shell.scale;
   record.components = remesh::find_components(record.shell.surface.mesh);
@@ -262,7 +269,8 @@ std::vector<TableRow> summary_rows(const BuildRecord& record) {
 
 /// Tells what a build would come to.
 int plan_only(const Session& session) {
-  const dual::ShellOptions options = shell_options(session);
+  std::optional<StopRequest> stop;
+  const dual::ShellOptions options = shell_options(session, stop);
   const BuildInput input = read_build_input(session, options);
   session.terminal.notes(input.notes);
   const BuildPlan plan = plan_build(input.mesh, options);
@@ -296,7 +304,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   result.table.push_back({"results"});
   result.table.push_back({"folder", folder.string()});
   session->terminal.print(result);
-  return done;
+  return record.exit_code;
 }
 
 }  // namespace

@@ -20,9 +20,14 @@ double memory_of(double atoms, double input_faces) {
 }
 
 /// Wall time on two processors of about 3 GHz.
-double seconds_of(double atoms, int iterations) {
+double seconds_of(double atoms, const remesh::RemeshMethod& method) {
   constexpr double seconds_per_atom_and_iteration = 4e-6;
-  return atoms * iterations * seconds_per_atom_and_iteration;
+  if (const auto* paper = std::get_if<remesh::RemeshOptions>(&method)) {
+    return atoms * paper->iterations * seconds_per_atom_and_iteration;
+  }
+  constexpr double seconds_per_atom = 1e-3;
+  return atoms * seconds_per_atom *
+         remesh::effort_factor(std::get<remesh::CrystalOptions>(method).effort);
 }
 
 std::string size_text(double bytes) {
@@ -69,7 +74,7 @@ BuildPlan plan_build(const remesh::TriMesh& mesh, const dual::ShellOptions& opti
   plan.shell = dual::estimate_shell(mesh, options);
   plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()));
   plan.free_memory = free_memory();
-  plan.seconds = seconds_of(plan.shell.atoms, options.remesh.iterations);
+  plan.seconds = seconds_of(plan.shell.atoms, options.method);
   plan.components = static_cast<int>(components.parts.size());
   find_obstacles(components, plan);
   return plan;

@@ -70,7 +70,7 @@ void judge(Inspection& result) {
 
 Inspection look_at(const remesh::TriangleSoup& soup, const Session& session) {
   const dual::ShellOptions options = {
-      .size = shell_size(session), .bond = session.get<double>("bond"), .remesh = {}};
+      .size = shell_size(session), .bond = session.get<double>("bond"), .method = {}};
   Inspection result;
   result.reading_notes = soup.notes;
   result.box = soup.points.empty() ? remesh::BoundingBox{} : remesh::bounding_box(soup.points);

@@ -1,5 +1,3 @@
-#include "trivalent/remesh/remesh.h"
-
 #include "command.h"
 #include "files.h"
 #include "remesh_options.h"
@@ -26,15 +24,19 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_remesh());
   if (!session) return done;
   if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
-  remesh::RemeshOptions options = remesh_options(*session);
-  options.target_edge_length = session->get<double>("edge");
+  const auto edge = session->get<double>("edge");
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 
   const remesh::RepairResult input = read_surface(session->get<std::string>("IN"), *session);
   session->terminal.notes(input.notes);
   const remesh::TriMesh& original = input.mesh;
-  const remesh::RemeshResult remeshed = remesh::remesh(original, options);
+  std::optional<StopRequest> stop;
+  const remesh::RemeshResult remeshed =
+      remesh::remesh_by(original, remesh_method(*session, stop), edge);
+  const int exit_code = remeshed.stopped ? stop->exit_code() : done;
+  stop.reset();
+  if (remeshed.stopped) session->terminal.note("note: " + stopped_note(remeshed));
   remesh::write_mesh(remeshed.mesh, output);
 
   const auto quality = remesh::measure_quality(remeshed.mesh);
@@ -45,11 +47,12 @@ int run(const Command& self, std::span<const std::string> arguments) {
   result.json["notes"] = input.notes;
   result.json["wrap_offset"] = input.offset;
   result.json["iterations"] = remeshed.iterations;
-  result.json["target_edge_length"] = options.target_edge_length;
+  result.json["stopped"] = remeshed.stopped;
+  result.json["target_edge_length"] = edge;
   result.json["quality"] = quality_json(quality);
   result.json["distance"] = distance_json(distance);
   session->terminal.print(result);
-  return done;
+  return exit_code;
 }
 
 }  // namespace

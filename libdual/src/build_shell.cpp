@@ -36,9 +36,7 @@ double given_scale(const TriMesh& mesh, const ShellSize& size) {
 
 /// Remeshes to a target edge length in the unit of the mesh.
 void remesh_to(const TriMesh& mesh, const ShellOptions& options, double target, Shell& shell) {
-  remesh::RemeshOptions remesh_options = options.remesh;
-  remesh_options.target_edge_length = target;
-  shell.surface = remesh::remesh(mesh, remesh_options);
+  shell.surface = remesh::remesh_by(mesh, options.method, target);
   shell.target_edge_length = target;
   ++shell.remeshings;
 }
@@ -57,6 +55,7 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
     remesh_to(mesh, options, target, shell);
     const double ratio = static_cast<double>(shell.surface.mesh.n_faces()) / atoms;
     if (std::abs(ratio - 1.0) <= tolerance || shell.remeshings == most_remeshings) break;
+    if (shell.surface.stopped) break;
     target *= std::sqrt(ratio);
   }
   shell.scale = scale_for_size(shell.surface.mesh, MeanBond{options.bond});

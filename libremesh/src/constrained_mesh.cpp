@@ -62,10 +62,6 @@ void ConstrainedMesh::renumber() {
     positions.push_back(mesh.point(v));
     anchors.push_back(anchors_[v]);
   }
-  struct CurveEdge {
-    VertexHandle from, to;
-    int curve;
-  };
   std::vector<CurveEdge> curve_edges;
   const auto renumbered = [&](VertexHandle v) { return VertexHandle(number[index(v)]); };
   for (const auto e : mesh.edges()) {
@@ -80,6 +76,71 @@ void ConstrainedMesh::renumber() {
   }
   std::ranges::sort(triangles, {}, [](const auto& t) { return std::min({t[0], t[1], t[2]}); });
 
+  assign(positions, anchors, triangles, curve_edges);
+}
+
+void ConstrainedMesh::subdivide() {
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Anchor> anchors;
+  for (const auto v : mesh.vertices()) {
+    positions.push_back(mesh.point(v));
+    anchors.push_back(anchors_[v]);
+  }
+  std::vector<int> midpoint_of(mesh.n_edges());
+  std::vector<CurveEdge> curve_edges;
+  for (const auto e : mesh.edges()) {
+    const Eigen::Vector3d midpoint = 0.5 * (mesh.point(e.v0()) + mesh.point(e.v1()));
+    Anchor anchor;
+    anchor.face = anchors_[e.v0()].face;
+    const VertexHandle v(static_cast<int>(positions.size()));
+    if (const std::optional<int> curve = curve_of_[e]) {
+      anchor.kind = FeatureKind::curve;
+      anchor.on_curve = curves_.nearest(midpoint, *curve);
+      curve_edges.push_back({e.v0(), v, *curve});
+      curve_edges.push_back({v, e.v1(), *curve});
+    }
+    midpoint_of[static_cast<std::size_t>(e.idx())] = v.idx();
+    positions.push_back(anchor.kind == FeatureKind::curve
+                            ? project(midpoint, anchor)
+                            : project_between(e.v0(), e.v1(), midpoint, anchor));
+    anchors.push_back(anchor);
+  }
+  std::vector<std::array<int, 3>> triangles;
+  triangles.reserve(4 * mesh.n_faces());
+  for (const auto f : mesh.faces()) {
+    std::array<int, 3> corner{};
+    std::array<int, 3> middle{};  // of the edge from corner k to the next
+    std::size_t k = 0;
+    for (const auto h : mesh.fh_range(f)) {
+      corner[k] = mesh.from_vertex_handle(h).idx();
+      middle[k] = midpoint_of[static_cast<std::size_t>(mesh.edge_handle(h).idx())];
+      ++k;
+    }
+    for (k = 0; k < 3; ++k) triangles.push_back({corner[k], middle[k], middle[(k + 2) % 3]});
+    triangles.push_back(middle);
+  }
+  assign(positions, anchors, triangles, curve_edges);
+}
+
+Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
+                                                 const Eigen::Vector3d& midpoint,
+                                                 Anchor& anchor) const {
+  const Eigen::Vector3d outward = normal(a) + normal(b);
+  const double length = (mesh.point(a) - mesh.point(b)).norm();
+  for (const double lift : {0.0, 0.125, 0.25, 0.5}) {
+    const Eigen::Vector3d lifted = midpoint + lift * length * outward.normalized();
+    const SurfacePoint foot = surface_.nearest(lifted, anchor.face);
+    if (surface_.normal(foot).dot(outward) <= 0.0 && lift < 0.5 && outward.norm() > 0.5) continue;
+    anchor.face = foot.face;
+    return foot.position;
+  }
+  return midpoint;
+}
+
+void ConstrainedMesh::assign(const std::vector<Eigen::Vector3d>& positions,
+                             const std::vector<Anchor>& anchors,
+                             const std::vector<std::array<int, 3>>& triangles,
+                             const std::vector<CurveEdge>& curve_edges) {
   mesh.clean_keep_reservation();
   for (std::size_t i = 0; i < positions.size(); ++i)
     anchors_[mesh.add_vertex(positions[i])] = anchors[i];

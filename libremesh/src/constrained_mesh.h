@@ -2,6 +2,9 @@
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 
+#include <array>
+#include <vector>
+
 #include "feature_curves.h"
 #include "surface_projector.h"
 #include "trivalent/remesh/mesh.h"
@@ -43,9 +46,28 @@ class ConstrainedMesh {
   /// time of all steps.
   void renumber();
 
+  /// Divides every face into four at the midpoints of its edges, which go to the surface or, on a
+  /// feature curve, to the curve.
+  void subdivide();
+
   TriMesh& mesh;
 
  private:
+  struct CurveEdge {
+    VertexHandle from, to;
+    int curve;
+  };
+  /// The foot of an edge's midpoint on the side of the surface that the edge is on: in a thin part
+  /// the nearest point may be on the other side, so the midpoint is lifted outwards until it is
+  /// not.
+  [[nodiscard]] Eigen::Vector3d project_between(VertexHandle a, VertexHandle b,
+                                                const Eigen::Vector3d& midpoint,
+                                                Anchor& anchor) const;
+  /// Replaces the net.
+  void assign(const std::vector<Eigen::Vector3d>& positions, const std::vector<Anchor>& anchors,
+              const std::vector<std::array<int, 3>>& triangles,
+              const std::vector<CurveEdge>& curve_edges);
+
   SurfaceProjector surface_;
   FeatureCurves curves_;
   OpenMesh::VProp<Anchor> anchors_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "constrained_mesh.h"
+#include "paper_loop.h"
 #include "relaxation.h"
 #include "sliding.h"
 #include "stellar.h"
@@ -16,7 +17,7 @@ namespace trivalent::remesh {
 
 namespace {
 
-void check(const TriMesh& mesh, const RemeshOptions& options) {
+void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   if (mesh.n_faces() == 0) throw InvalidMesh("remesh: the mesh has no faces");
   for (const auto v : mesh.vertices()) {
     if (mesh.is_isolated(v)) {
@@ -100,27 +101,6 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
   }
 }
 
-RemeshProgress measure(const TriMesh& mesh) {
-  RemeshProgress progress;
-  progress.vertices = static_cast<int>(mesh.n_vertices());
-  progress.mean_edge_length = mean_edge_length(mesh);
-  double squares = 0.0;
-  for (const auto e : mesh.edges()) {
-    squares += std::pow(mesh.calc_edge_length(e) - progress.mean_edge_length, 2);
-  }
-  progress.relative_spread =
-      std::sqrt(squares / static_cast<double>(mesh.n_edges())) / progress.mean_edge_length;
-  int interior = 0;
-  int regular = 0;
-  for (const auto v : mesh.vertices()) {
-    if (v.is_boundary()) continue;
-    ++interior;
-    if (v.valence() == 6) ++regular;
-  }
-  progress.regular_fraction = interior == 0 ? 0.0 : static_cast<double>(regular) / interior;
-  return progress;
-}
-
 /// How m_i approaches m [Pecanha2013, Algorithm 1], and what the stellar operations of iteration i
 /// change.
 ///
@@ -173,31 +153,70 @@ bool differs_by_a_tenth(std::size_t vertices, std::size_t before) {
 
 }  // namespace
 
-RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
-  check(mesh, options);
+RemeshProgress measure_progress(const TriMesh& mesh) {
+  RemeshProgress progress;
+  // Counted, since a mesh may hold deleted elements while it is changed.
+  double count = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const auto e : mesh.edges()) {
+    const double length = mesh.calc_edge_length(e);
+    count += 1.0;
+    sum += length;
+    squares += length * length;
+  }
+  progress.mean_edge_length = sum / count;
+  const double variance = squares / count - progress.mean_edge_length * progress.mean_edge_length;
+  progress.relative_spread = std::sqrt(std::max(variance, 0.0)) / progress.mean_edge_length;
+  int interior = 0;
+  int regular = 0;
+  for (const auto v : mesh.vertices()) {
+    ++progress.vertices;
+    if (v.is_boundary()) continue;
+    ++interior;
+    if (v.valence() == 6) ++regular;
+  }
+  progress.regular_fraction = interior == 0 ? 0.0 : static_cast<double>(regular) / interior;
+  return progress;
+}
+
+void check_remeshable(const TriMesh& mesh, const RemeshOptions& options) {
+  check_options(mesh, options);
   check_that_target_fits(mesh, options.target_edge_length);
-  RemeshResult result;
-  result.mesh = mesh;
-  ConstrainedMesh constrained(result.mesh, options.feature_angle);
+}
+
+void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
+                     const std::function<void(const RemeshProgress&)>& after_iteration) {
   std::size_t numbered = 0;  // vertices when they were last numbered
   for (int i = 1; i <= options.iterations; ++i) {
-    const std::size_t vertices = result.mesh.n_vertices();
+    const std::size_t vertices = constrained.mesh.n_vertices();
     if (i > 1 && vertices > small_mesh &&
         (numbered == 0 || differs_by_a_tenth(vertices, numbered))) {
       constrained.renumber();
       numbered = vertices;
     }
-    change_edges(constrained, limits_of_iteration(result.mesh, options, i));
+    change_edges(constrained, limits_of_iteration(constrained.mesh, options, i));
     slide_vertices(constrained,
                    relaxed_positions(constrained, {options.rings, options.restriction}));
 
-    RemeshProgress progress = measure(result.mesh);
-    progress.iteration = result.iterations = i;
+    RemeshProgress progress = measure_progress(constrained.mesh);
+    progress.iteration = i;
     progress.iterations = options.iterations;
+    after_iteration(progress);
+  }
+}
+
+RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
+  check_remeshable(mesh, options);
+  RemeshResult result;
+  result.mesh = mesh;
+  ConstrainedMesh constrained(result.mesh, options.feature_angle);
+  remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
+    result.iterations = progress.iteration;
     result.relative_spread = progress.relative_spread;
     result.regular_fraction = progress.regular_fraction;
     if (options.on_progress) options.on_progress(progress);
-  }
+  });
   return result;
 }
 

@@ -69,4 +69,30 @@ void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vecto
   for (const auto v : mesh.vertices()) mesh.point(v) = after[index(v)];
 }
 
+void straddle_surface(ConstrainedMesh& constrained) {
+  // Over an equilateral chord of a sphere the mean depth is 3/4 of that at the centroid.
+  constexpr double part_of_depth = 0.75;
+  constexpr double longest = 0.2;  // of the mean edge: deeper is no chord, but a part not resolved
+  TriMesh& mesh = constrained.mesh;
+  const double limit = longest * mean_edge_length(mesh);
+  const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
+  std::vector<Eigen::Vector3d> depths(faces.size());
+  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for (const int v : faces[f]) centroid += mesh.point(VertexHandle(v)) / 3.0;
+    const int near = constrained.anchor(VertexHandle(faces[f][0])).face;
+    depths[f] = constrained.surface().nearest(centroid, near).position - centroid;
+  });
+  std::vector<Eigen::Vector3d> sums(mesh.n_vertices(), Eigen::Vector3d::Zero());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const int v : faces[f]) sums[static_cast<std::size_t>(v)] += depths[f];
+  }
+  for (const auto v : mesh.vertices()) {
+    if (constrained.anchor(v).kind != FeatureKind::none) continue;
+    const Eigen::Vector3d normal = constrained.normal(v);
+    const double depth = sums[index(v)].dot(normal) / static_cast<double>(v.valence());
+    mesh.point(v) += std::clamp(part_of_depth * depth, -limit, limit) * normal;
+  }
+}
+
 }  // namespace trivalent::remesh

@@ -13,4 +13,10 @@ namespace trivalent::remesh {
 /// @param targets  One position per vertex, in the mesh's unit.
 void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vector3d>& targets);
 
+/// Lifts vertices off the surface, along its normals, until faces lie half inside and half outside
+/// of it: with vertices on a curved surface all faces are chords on one side. Halves the distance
+/// between both, and centroids come to lie on the surface but for a quarter of their depth.
+/// Vertices on feature curves stay.
+void straddle_surface(ConstrainedMesh& constrained);
+
 }  // namespace trivalent::remesh

@@ -33,7 +33,7 @@ TEST_F(BuildCommand, GoesTheWholeWay) {
 }
 
 TEST_F(BuildCommand, LowersTheEnergyOfARealMesh) {
-  succeed("build " TRIVALENT_MESHES "/elephant.off -o out --atoms 20000");
+  succeed("build " TRIVALENT_MESHES "/elephant.off -o out --atoms 20000 --effort quick");
   const auto energy = report("out")["energy"];
   EXPECT_LT(energy["after"]["energy_per_atom"], energy["before"]["energy_per_atom"]);
 }
@@ -138,7 +138,7 @@ TEST_F(BuildCommand, RefusesWhatMakesNoSense) {
   expect_failure(2, "20 atoms", "build sphere -o out --atoms 3");
   expect_failure(2, "bond", "build sphere -o out --bond -1");
   expect_failure(2, "longest side", "build sphere -o out --length 0");
-  expect_failure(2, "rings", "build sphere -o out --rings 0");
+  expect_failure(2, "rings", "build sphere -o out --method paper --rings 0");
   expect_failure(1, "missing.off", "build missing.off -o out");
   expect_failure(1, "not a folder", "build sphere -o /dev/null/out");
   EXPECT_FALSE(has("out"));

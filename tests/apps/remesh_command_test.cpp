@@ -10,11 +10,27 @@ class RemeshCommand : public ProgramTest {
 };
 
 TEST_F(RemeshCommand, BringsEdgesToOneLength) {
-  const auto result = succeed("remesh torus.off out.off --edge 0.15 --json").json();
+  const auto result = succeed("remesh torus.off out.off --edge 0.15 --method paper --json").json();
   EXPECT_NEAR(result["quality"]["edge_length"]["mean"].get<double>(), 0.15, 0.02 * 0.15);
   EXPECT_EQ(result["quality"]["euler_characteristic"], 0);
   EXPECT_EQ(result["iterations"], 20);
   EXPECT_TRUE(has("out.off"));
+}
+
+TEST_F(RemeshCommand, MakesCrystalNetsUnlessToldOtherwise) {
+  const auto result = succeed("remesh torus.off out.off --edge 0.15 --effort quick --json").json();
+  EXPECT_NEAR(result["quality"]["edge_length"]["mean"].get<double>(), 0.15, 0.01 * 0.15);
+  EXPECT_GT(result["quality"]["regular_fraction"].get<double>(), 0.92);
+  EXPECT_EQ(result["stopped"], false);
+  EXPECT_TRUE(has("out.off"));
+}
+
+TEST_F(RemeshCommand, RefusesOptionsOfTheOtherMethod) {
+  expect_failure(2, "--rings has no effect", "remesh torus.off out.off --edge 0.2 --rings 3");
+  expect_failure(2, "--seed has no effect",
+                 "remesh torus.off out.off --edge 0.2 --method paper --seed 3");
+  expect_failure(2, "--effort", "remesh torus.off out.off --edge 0.2 --effort great");
+  expect_failure(2, "--seed", "remesh torus.off out.off --edge 0.2 --seed -1");
 }
 
 TEST_F(RemeshCommand, KnowsTheParametersOfThePaper) {
@@ -27,15 +43,16 @@ TEST_F(RemeshCommand, KnowsTheParametersOfThePaper) {
 }
 
 TEST_F(RemeshCommand, GivesTheSameBytesForAnyNumberOfThreads) {
-  succeed("remesh torus.off one.off --edge 0.15 --iterations 5 --threads 1");
-  succeed("remesh torus.off three.off --edge 0.15 --iterations 5 --threads 3");
+  succeed("remesh torus.off one.off --edge 0.15 --method paper --iterations 5 --threads 1");
+  succeed("remesh torus.off three.off --edge 0.15 --method paper --iterations 5 --threads 3");
   EXPECT_EQ(content("one.off"), content("three.off"));
 }
 
 TEST_F(RemeshCommand, TellsItsProgressUnlessQuiet) {
-  const auto loud = succeed("remesh torus.off out.off --edge 0.2 --iterations 2");
+  const auto loud = succeed("remesh torus.off out.off --edge 0.2 --method paper --iterations 2");
   EXPECT_NE(loud.err.find("remeshing 2/2"), std::string::npos);
-  const auto quiet = succeed("remesh torus.off out.off --edge 0.2 --iterations 2 --quiet");
+  const auto quiet =
+      succeed("remesh torus.off out.off --edge 0.2 --method paper --iterations 2 --quiet");
   EXPECT_EQ(quiet.err, "");
   EXPECT_EQ(quiet.out, loud.out);
 }
@@ -46,10 +63,12 @@ TEST_F(RemeshCommand, RefusesParametersOutOfRange) {
     expect_failure(2, "target edge length", "remesh torus.off out.off --edge " + edge);
   }
   expect_failure(2, "target edge length", "remesh torus.off out.off --edge 100");
-  expect_failure(2, "iterations", "remesh torus.off out.off --edge 0.2 --iterations 0");
-  expect_failure(2, "rings", "remesh torus.off out.off --edge 0.2 --rings 9");
-  expect_failure(2, "tolerance", "remesh torus.off out.off --edge 0.2 --sigma 1");
-  expect_failure(2, "--restriction", "remesh torus.off out.off --edge 0.2 --restriction soft");
+  expect_failure(2, "iterations",
+                 "remesh torus.off out.off --edge 0.2 --method paper --iterations 0");
+  expect_failure(2, "rings", "remesh torus.off out.off --edge 0.2 --method paper --rings 9");
+  expect_failure(2, "tolerance", "remesh torus.off out.off --edge 0.2 --method paper --sigma 1");
+  expect_failure(2, "--restriction",
+                 "remesh torus.off out.off --edge 0.2 --method paper --restriction soft");
   expect_failure(2, "--method", "remesh torus.off out.off --edge 0.2 --method cvt");
   expect_failure(2, "extension", "remesh torus.off out.xyz --edge 0.2");
   expect_failure(1, "missing.off", "remesh missing.off out.off --edge 0.2");

@@ -21,7 +21,8 @@ void read_arguments(const std::vector<std::string>& words) {
   add_remesh_options(grammar.options);
   const auto session = start(command, words, grammar);
   if (!session) return;
-  static_cast<void>(remesh_options(*session));
+  std::optional<StopRequest> stop;
+  static_cast<void>(remesh_method(*session, stop));
 }
 
 }  // namespace

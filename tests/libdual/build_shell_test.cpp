@@ -22,7 +22,7 @@ remesh::RemeshOptions few_iterations() {
 
 TEST(BuildShell, MeetsANumberOfAtomsAndTheBond) {
   const Shell shell = build_shell(
-      torus(48, 16), {.size = AtomCount{1000}, .bond = 1.45, .remesh = few_iterations()});
+      torus(48, 16), {.size = AtomCount{1000}, .bond = 1.45, .method = few_iterations()});
   const NetworkReport report = check_network(shell.network);
   EXPECT_NEAR(report.atoms, 1000, 30);  // few iterations scatter by 1 % around the 2 % aimed at
   EXPECT_NEAR(report.bond_mean, 1.45, 1e-13);
@@ -33,7 +33,7 @@ TEST(BuildShell, MeetsANumberOfAtomsAndTheBond) {
 
 TEST(BuildShell, MeetsAScaleWithEdgesNearTheTarget) {
   const Shell shell =
-      build_shell(torus(48, 16), {.size = Scale{6.0}, .bond = 1.42, .remesh = few_iterations()});
+      build_shell(torus(48, 16), {.size = Scale{6.0}, .bond = 1.42, .method = few_iterations()});
   EXPECT_EQ(shell.scale, 6.0);
   EXPECT_NEAR(remesh::mean_edge_length(shell.surface.mesh), edge_length_for_bond(1.42),
               0.03 * edge_length_for_bond(1.42));
@@ -42,7 +42,7 @@ TEST(BuildShell, MeetsAScaleWithEdgesNearTheTarget) {
 TEST(BuildShell, MeetsTheLongestSide) {
   const remesh::TriMesh mesh = torus(48, 16);
   const Shell shell =
-      build_shell(mesh, {.size = LongestSide{45.0}, .bond = 1.42, .remesh = few_iterations()});
+      build_shell(mesh, {.size = LongestSide{45.0}, .bond = 1.42, .method = few_iterations()});
   EXPECT_NEAR(shell.scale * remesh::bounding_box(mesh).longest_side(), 45.0, 1e-12);
 }
 
@@ -50,28 +50,28 @@ TEST(BuildShell, ThrowsOnSizesOutOfRange) {
   const remesh::TriMesh mesh = torus(12, 6);
   for (const ShellSize& size : {ShellSize(AtomCount{19}), ShellSize(LongestSide{0.0}),
                                 ShellSize(LongestSide{std::nan("")}), ShellSize(Scale{-1.0})}) {
-    EXPECT_THROW(static_cast<void>(build_shell(mesh, {.size = size, .remesh = {}})), InvalidOption);
+    EXPECT_THROW(static_cast<void>(build_shell(mesh, {.size = size, .method = {}})), InvalidOption);
   }
-  EXPECT_THROW(static_cast<void>(build_shell(mesh, {.bond = 0.0, .remesh = {}})), InvalidOption);
+  EXPECT_THROW(static_cast<void>(build_shell(mesh, {.bond = 0.0, .method = {}})), InvalidOption);
 }
 
 TEST(BuildShell, ThrowsOnAMeshWithoutFaces) {
-  EXPECT_THROW(static_cast<void>(build_shell(remesh::TriMesh(), {.remesh = {}})), InvalidNetwork);
+  EXPECT_THROW(static_cast<void>(build_shell(remesh::TriMesh(), {.method = {}})), InvalidNetwork);
 }
 
 TEST(BuildShell, PassesOnWhatRemeshRefuses) {
   ShellOptions options;
-  options.remesh.rings = 0;
+  options.method = remesh::RemeshOptions{.rings = 0};
   EXPECT_THROW(static_cast<void>(build_shell(torus(12, 6), options)), remesh::InvalidOption);
 }
 
 TEST(EstimateShell, DividesTheAreaByThatOfAFace) {
   const remesh::TriMesh sheet = testing_support::flat_sheet(10, 10, 1.0);
   const double scale = edge_length_for_bond(1.42);
-  const ShellEstimate scaled = estimate_shell(sheet, {.size = Scale{scale}, .remesh = {}});
+  const ShellEstimate scaled = estimate_shell(sheet, {.size = Scale{scale}, .method = {}});
   EXPECT_NEAR(scaled.atoms, 200.0, 1e-9);
   EXPECT_NEAR(scaled.edge_length, 1.0, 1e-12);
-  const ShellEstimate counted = estimate_shell(sheet, {.size = AtomCount{50}, .remesh = {}});
+  const ShellEstimate counted = estimate_shell(sheet, {.size = AtomCount{50}, .method = {}});
   EXPECT_EQ(counted.atoms, 50.0);
   EXPECT_NEAR(counted.edge_length, 2.0, 1e-12);
   EXPECT_NEAR(counted.scale, 0.5 * scale, 1e-12);
@@ -80,7 +80,7 @@ TEST(EstimateShell, DividesTheAreaByThatOfAFace) {
 TEST(EstimateShell, ThrowsOnAMeshWithoutAnArea) {
   remesh::TriMesh sheet = testing_support::flat_sheet(2, 2, 1.0);
   remesh::scale(sheet, 0.0);
-  EXPECT_THROW(static_cast<void>(estimate_shell(sheet, {.remesh = {}})), InvalidNetwork);
+  EXPECT_THROW(static_cast<void>(estimate_shell(sheet, {.method = {}})), InvalidNetwork);
 }
 
 }  // namespace

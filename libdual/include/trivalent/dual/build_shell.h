@@ -4,6 +4,7 @@
 
 #include "trivalent/dual/dual_size.h"
 #include "trivalent/dual/network.h"
+#include "trivalent/remesh/crystallize.h"
 #include "trivalent/remesh/mesh.h"
 #include "trivalent/remesh/remesh.h"
 
@@ -20,7 +21,8 @@ using ShellSize = std::variant<AtomCount, LongestSide, Scale>;
 struct ShellOptions {
   ShellSize size = AtomCount{};
   double bond = default_bond_length;  ///< wanted mean bond length [Å], > 0
-  remesh::RemeshOptions remesh;       ///< target_edge_length follows from size and bond
+  /// How the net is made; its target_edge_length follows from size and bond.
+  remesh::RemeshMethod method;
 };
 
 /// What a shell would come to.

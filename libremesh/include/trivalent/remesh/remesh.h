@@ -13,7 +13,7 @@ enum class Restriction {
   least_squares,  ///< three unknowns per vertex, ⟨t, n⟩ = 0 as a weighted row
 };
 
-/// State after one iteration of remesh().
+/// State after one iteration of remesh(), or one round of crystallize().
 struct RemeshProgress {
   int iteration = 0;              ///< 1 .. iterations
   int iterations = 0;             ///< wanted in all
@@ -21,6 +21,7 @@ struct RemeshProgress {
   double relative_spread = 0.0;   ///< standard deviation / mean of the edge lengths
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices
   int vertices = 0;
+  double strain = 0.0;  ///< mean of (|e|/L - 1)² over the edges; crystallize() only
 };
 
 /// Parameters of [Pecanha2013, Algorithm 1], with its symbols.
@@ -42,6 +43,7 @@ struct RemeshResult {
   int iterations = 0;
   double relative_spread = 0.0;   ///< standard deviation / mean of the edge lengths
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices
+  bool stopped = false;           ///< ended before its time because that was asked for
 };
 
 /// Remeshes a surface until all edges come close to one length, [Pecanha2013, Algorithm 1].

@@ -1,0 +1,275 @@
+#include "annealing.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "net_patch.h"
+#include "spring_relaxation.h"
+#include "valence.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+constexpr int patch_rings = 3;   // that move; a fourth one is fixed
+constexpr int sweeps = 8;        // over a patch, before energies are compared
+constexpr int first_sweeps = 3;  // over its inner rings, before hopeless moves are dropped
+constexpr int inner_rings = 2;
+/// A move whose energy is still that much higher after the first sweeps is hopeless: later sweeps
+/// gain less in all but 1 % of the cases.
+constexpr double hopeless = 0.1;
+constexpr double hopeless_in_temperatures = 4.0;
+/// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
+constexpr int most_new_disorder = 2;
+constexpr double least_gain = 1e-4;  // at temperature 0, so that rounding errors move nothing
+constexpr int rounds_per_relaxation = 10;
+constexpr int sweeps_per_relaxation = 4;
+
+/// A random number that depends on nothing but its arguments.
+std::uint64_t hashed(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t x = a * 0x9E3779B97F4A7C15ULL + b;  // the steps of SplitMix64
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31U);
+}
+
+double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1.0p-53; }
+
+/// Chooses one of several moves, given one after the other, with the weights of a heat bath.
+class HeatBath {
+ public:
+  HeatBath(double temperature, std::uint64_t seed) : temperature_(temperature), seed_(seed) {}
+
+  /// Whether a move that raises the energy by so much replaces the choice made so far.
+  bool takes(double rise) {
+    if (temperature_ == 0.0) {
+      if (rise >= lowest_) return false;
+      lowest_ = rise;
+      return true;
+    }
+    const double weight = std::exp(std::min(-rise / temperature_, largest_exponent));
+    total_ += weight;
+    seed_ = hashed(seed_, 1);
+    return uniform(seed_) * total_ < weight;
+  }
+
+ private:
+  static constexpr double largest_exponent = 100.0;
+  double temperature_;
+  std::uint64_t seed_;
+  double total_ = 1.0;           // the weight of leaving all as it is
+  double lowest_ = -least_gain;  // at temperature 0
+};
+
+/// A move that was chosen: the patch after it, and where its vertices sit on the surface.
+struct Decision {
+  std::optional<NetPatch> patch;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Anchor> anchors;
+};
+
+class Annealing {
+ public:
+  Annealing(ConstrainedMesh& constrained, const AnnealingOptions& options)
+      : constrained_(constrained),
+        mesh_(constrained.mesh),
+        options_(options),
+        deviations_(valence_deviations(mesh_)) {}
+
+  int run() {
+    int moves = 0;
+    for (int round = 0; round < options_.rounds; ++round) {
+      const double remaining = 1.0 - (round + 1.0) / options_.rounds;
+      temperature_ = options_.first_temperature * remaining;
+      seed_ = hashed(options_.seed, static_cast<std::uint64_t>(round));
+      const std::vector<VertexHandle> sites = disjoint_sites();
+      std::vector<Decision> decisions(sites.size());
+      tbb::parallel_for(std::size_t{0}, sites.size(),
+                        [&](std::size_t i) { decisions[i] = decide(sites[i]); });
+      for (const Decision& decision : decisions) {
+        if (!decision.patch) continue;
+        apply(decision);
+        ++moves;
+      }
+      if ((round + 1) % rounds_per_relaxation == 0) {
+        relax_springs(constrained_, options_.length, sweeps_per_relaxation);
+      }
+      if (options_.after_round && !options_.after_round(round)) break;
+    }
+    mesh_.garbage_collection();
+    return moves;
+  }
+
+ private:
+  /// Irregular vertices in random order, those left out whose patch would touch an earlier one.
+  std::vector<VertexHandle> disjoint_sites() {
+    std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
+    for (const auto v : mesh_.vertices()) {
+      if (deviations_[index(v)] == 0 || v.is_boundary()) continue;
+      irregular.emplace_back(hashed(seed_, static_cast<std::uint64_t>(v.idx())), v);
+    }
+    std::sort(irregular.begin(), irregular.end());
+    std::vector<VertexHandle> sites;
+    std::vector<bool> taken(mesh_.n_vertices(), false);
+    for (const auto& [key, v] : irregular) {
+      if (claim(v, taken)) sites.push_back(v);
+    }
+    return sites;
+  }
+
+  /// Marks the vertices of a patch as taken, unless one of them is already.
+  bool claim(VertexHandle center, std::vector<bool>& taken) {
+    std::vector<VertexHandle> patch = {center};
+    PatchMarks& marks = marks_.local();
+    marks.begin(mesh_.n_vertices());
+    marks.set(center, 0);
+    std::size_t begin = 0;
+    for (int ring = 0; ring <= patch_rings; ++ring) {
+      const std::size_t end = patch.size();
+      for (; begin < end; ++begin) {
+        if (taken[index(patch[begin])]) return false;
+        for (const auto neighbor : mesh_.vv_range(patch[begin])) {
+          if (marks.number(neighbor) >= 0) continue;
+          marks.set(neighbor, 0);
+          patch.push_back(neighbor);
+        }
+      }
+    }
+    // Fixed vertices may be shared: only what moves is taken, together with what holds it.
+    for (std::size_t i = 0; i < begin; ++i) taken[index(patch[i])] = true;
+    return true;
+  }
+
+  [[nodiscard]] double energy_of(const NetPatch& patch) const {
+    return patch.strain(options_.length) + options_.core_energy * patch.disorder();
+  }
+
+  [[nodiscard]] Decision decide(VertexHandle center) {
+    Decision decision;
+    NetPatch start(constrained_, center, patch_rings, marks_.local());
+    if (!start.is_whole()) return decision;
+    const int disorder = start.disorder();
+    start.relax(options_.length, sweeps);
+    const double energy = energy_of(start);
+    const double bound = hopeless + hopeless_in_temperatures * temperature_;
+    HeatBath bath(temperature_, hashed(seed_, ~static_cast<std::uint64_t>(center.idx())));
+    for_each_move(start, [&](NetPatch& patch) {
+      if (patch.disorder() > disorder + most_new_disorder) return;
+      patch.relax(options_.length, first_sweeps, start.count_within(inner_rings));
+      if (energy_of(patch) - energy > bound) return;
+      patch.relax(options_.length, sweeps - first_sweeps + 1);
+      if (!patch.is_upright()) return;
+      if (bath.takes(energy_of(patch) - energy)) decision.patch = patch;
+    });
+    if (decision.patch) project(decision);
+    return decision;
+  }
+
+  /// Calls try_move with the patch after each of the moves at its center: the flips of its spokes
+  /// and of its rim, the collapses along and the splits of its spokes.
+  template <typename TryMove>
+  static void for_each_move(const NetPatch& start, const TryMove& try_move) {
+    const int n = start.valence(0);
+    for (int k = 0; k < n; ++k) {
+      const int spoke = start.neighbor(0, k);
+      const int next = start.neighbor(0, (k + 1) % n);
+      NetPatch patch = start;
+      if (patch.flip(0, spoke)) try_move(patch);
+      patch = start;
+      if (patch.flip(spoke, next)) try_move(patch);
+      patch = start;
+      if (patch.collapse(0, spoke)) {
+        patch.mend_valences();
+        try_move(patch);
+      }
+      patch = start;
+      if (patch.split(0, spoke)) {
+        patch.mend_valences();
+        try_move(patch);
+      }
+    }
+  }
+
+  /// Puts the patch onto the surface; drops the decision if a face would turn over there.
+  void project(Decision& decision) const {
+    NetPatch& patch = *decision.patch;
+    const Anchor center = constrained_.anchor(patch.vertex(0));
+    for (int i = 0; i < patch.size(); ++i) {
+      const VertexHandle v = patch.vertex(i);
+      Anchor anchor;
+      anchor.face = center.face;  // near enough for a new vertex
+      if (v.is_valid()) anchor = constrained_.anchor(v);
+      Eigen::Vector3d position = patch.position(i);
+      if (patch.is_free(i)) {
+        position = constrained_.project(position, anchor);
+        patch.set_position(i, position);
+      }
+      decision.positions.push_back(position);
+      decision.anchors.push_back(anchor);
+    }
+    if (!patch.is_upright()) decision.patch.reset();
+  }
+
+  void apply(const Decision& decision) {
+    const NetPatch& patch = *decision.patch;
+    const std::vector<VertexHandle> vertices = change_connectivity(patch);
+    deviations_.resize(mesh_.n_vertices(), 0);
+    for (int i = 0; i < patch.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (patch.valence(i) == 0) continue;
+      deviations_[index(vertices[k])] = patch.deviation(i);
+      if (!patch.is_free(i)) continue;
+      mesh_.point(vertices[k]) = decision.positions[k];
+      constrained_.set_anchor(vertices[k], decision.anchors[k]);
+    }
+  }
+
+  /// Repeats a patch's changes on the mesh.
+  ///
+  /// @return The vertices of the patch, new ones included.
+  std::vector<VertexHandle> change_connectivity(const NetPatch& patch) {
+    std::vector<VertexHandle> vertices;
+    for (int i = 0; i < patch.size() && patch.vertex(i).is_valid(); ++i) {
+      vertices.push_back(patch.vertex(i));
+    }
+    for (const PatchChange& change : patch.changes()) {
+      const HalfedgeHandle h = mesh_.find_halfedge(vertices[change.from], vertices[change.to]);
+      switch (change.kind) {
+        case PatchChange::Kind::flip:
+          mesh_.flip(mesh_.edge_handle(h));
+          break;
+        case PatchChange::Kind::collapse:
+          mesh_.collapse(h);
+          break;
+        case PatchChange::Kind::split:
+          vertices.push_back(mesh_.split(mesh_.edge_handle(h), Eigen::Vector3d(0.0, 0.0, 0.0)));
+          for (const auto spoke : mesh_.ve_range(vertices.back())) {
+            constrained_.set_curve(spoke, std::nullopt);
+          }
+          break;
+      }
+    }
+    return vertices;
+  }
+
+  ConstrainedMesh& constrained_;
+  TriMesh& mesh_;
+  const AnnealingOptions& options_;
+  std::vector<int> deviations_;
+  double temperature_ = 0.0;
+  std::uint64_t seed_ = 0;
+  tbb::enumerable_thread_specific<PatchMarks> marks_;
+};
+
+}  // namespace
+
+int anneal(ConstrainedMesh& constrained, const AnnealingOptions& options) {
+  return Annealing(constrained, options).run();
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "constrained_mesh.h"
+
+namespace trivalent::remesh {
+
+/// Energies are in units of Σ (|e|/L - 1)²; one such unit is about 55 eV of graphene.
+struct AnnealingOptions {
+  double length = 0.0;             ///< L, the edge length without strain
+  double core_energy = 0.0;        ///< of a vertex, times (valence - 6)²
+  double first_temperature = 0.0;  ///< falls linearly to 0
+  int rounds = 0;
+  std::uint64_t seed = 0;
+  /// Called after every round with its number, from 0; annealing ends once it returns false.
+  std::function<bool(int)> after_round = {};
+};
+
+/// Anneals the defects of a net. Every round cuts out patches around irregular vertices, as many as
+/// fit without touching, in random order; tries all moves at each of these vertices in its patch;
+/// and takes one of them, or none, with the probabilities of a heat bath. At temperature 0 that is
+/// the best one, if it lowers the energy. Every few rounds the whole net is relaxed.
+///
+/// Patches are tried in parallel and changed one after the other: the result is the same on any
+/// number of threads.
+///
+/// @return Number of moves taken.
+int anneal(ConstrainedMesh& constrained, const AnnealingOptions& options);
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,191 @@
+#include "trivalent/remesh/crystallize.h"
+
+#include <cmath>
+#include <memory>
+
+#include "annealing.h"
+#include "paper_loop.h"
+#include "sliding.h"
+#include "spring_relaxation.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// A net that is to be annealed, and the surface it lies on.
+struct Net {
+  TriMesh mesh;
+  ConstrainedMesh on_surface;
+
+  Net(const TriMesh& surface, std::optional<double> feature_angle)
+      : mesh(surface), on_surface(mesh, feature_angle) {}
+};
+
+/// One annealing, at one edge length.
+struct Stage {
+  double first_temperature;
+  double core_energy;
+  int rounds;
+};
+
+/// At twice the target length the net orders as a whole: hot, slow, and cheap, as vertices are few.
+constexpr Stage coarse_stage = {.first_temperature = 0.12, .core_energy = 0.0, .rounds = 1600};
+/// At the target length defects only find their places, and pairs that cost more than they relieve
+/// vanish.
+constexpr Stage fine_stage = {.first_temperature = 0.03, .core_energy = 0.03, .rounds = 250};
+/// At the target length without a coarse stage before.
+constexpr Stage only_stage = {.first_temperature = 0.12, .core_energy = 0.03, .rounds = 800};
+
+/// Iterations of the paper's loop that make the net to start from.
+constexpr int first_iterations = 20;
+constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
+constexpr int opening_sweeps = 60;   // before they move
+
+/// A coarse net must have room for patches, or there is nothing to gain.
+constexpr int fewest_coarse_vertices = 150;
+
+/// Whether every face looks about where the surface does at its corners: the net sees the shape.
+bool follows_surface(const Net& net) {
+  constexpr double least_cosine = 0.25;
+  constexpr double most_astray = 0.003;  // of the faces: a sharp tip may be cut off
+  int astray = 0;
+  for (const auto f : net.mesh.faces()) {
+    const Eigen::Vector3d normal = net.mesh.calc_normal(f);
+    Eigen::Vector3d there = Eigen::Vector3d::Zero();
+    for (const auto v : f.vertices()) there += net.on_surface.normal(v);
+    if (normal.dot(there) < least_cosine * there.norm()) ++astray;
+  }
+  return astray <= most_astray * static_cast<double>(net.mesh.n_faces());
+}
+
+/// Chords of a coarse net cut the surface's area: divided onto the surface, its edges come out too
+/// long. Aiming below twice the target by half as much leaves the other half to climb at the fine
+/// stage; the mean ends within 0.5 % of the target.
+double chord_factor(const Net& net, double area) {
+  return 0.5 + 0.5 * std::sqrt(surface_area(net.mesh) / area);
+}
+
+class Crystallization {
+ public:
+  Crystallization(const TriMesh& surface, const CrystalOptions& options)
+      : surface_(surface), options_(options), area_(surface_area(surface)) {}
+
+  RemeshResult run() {
+    const double m = options_.target_edge_length;
+    check_remeshable(surface_, paper_options(m));
+    std::unique_ptr<Net> net = coarse_net();
+    if (net) {
+      rounds_ = rounds_of(coarse_stage) + rounds_of(fine_stage);
+      anneal_net(*net, 2.0 * m * chord_factor(*net, area_), coarse_stage);
+      net->on_surface.subdivide();
+      anneal_net(*net, m, fine_stage);
+    } else {
+      net = first_net(m);
+      rounds_ = rounds_of(only_stage);
+      anneal_net(*net, m, only_stage);
+    }
+    relax_springs(net->on_surface, m, closing_sweeps);
+    straddle_surface(net->on_surface);
+    const RemeshProgress state = measure_progress(net->mesh);
+    RemeshResult result;
+    result.mesh = std::move(net->mesh);
+    result.iterations = rounds_done_;
+    result.relative_spread = state.relative_spread;
+    result.regular_fraction = state.regular_fraction;
+    result.stopped = stopped_;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] RemeshOptions paper_options(double length) const {
+    return {.target_edge_length = length,
+            .iterations = first_iterations,
+            .feature_angle = options_.feature_angle};
+  }
+
+  /// The surface remeshed by the paper's loop.
+  [[nodiscard]] std::unique_ptr<Net> first_net(double length) const {
+    auto net = std::make_unique<Net>(surface_, options_.feature_angle);
+    remesh_in_place(net->on_surface, paper_options(length), [](const RemeshProgress&) {});
+    return net;
+  }
+
+  /// A net of twice the target length, unless the surface is too small or too thin for one.
+  [[nodiscard]] std::unique_ptr<Net> coarse_net() const {
+    const double length = 2.0 * options_.target_edge_length;
+    const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
+    if (area_ < fewest_coarse_vertices * unit_area * length * length) return nullptr;
+    try {
+      check_remeshable(surface_, paper_options(length));
+    } catch (const InvalidOption&) {
+      return nullptr;  // a part of the surface cannot hold so long an edge
+    }
+    std::unique_ptr<Net> net = first_net(length);
+    relax_springs(net->on_surface, length, opening_sweeps);
+    return follows_surface(*net) ? std::move(net) : nullptr;
+  }
+
+  [[nodiscard]] int rounds_of(const Stage& stage) const {
+    return static_cast<int>(std::lround(stage.rounds * effort_factor(options_.effort)));
+  }
+
+  void anneal_net(Net& net, double length, const Stage& stage) {
+    relax_springs(net.on_surface, length, opening_sweeps);
+    if (stopped_) return;
+    anneal(net.on_surface, {.length = length,
+                            .core_energy = stage.core_energy,
+                            .first_temperature = stage.first_temperature,
+                            .rounds = rounds_of(stage),
+                            .seed = options_.seed,
+                            .after_round = [&](int) { return goes_on(net.mesh, length); }});
+  }
+
+  bool goes_on(const TriMesh& mesh, double length) {
+    constexpr int rounds_per_report = 25;
+    ++rounds_done_;
+    if (options_.should_stop && options_.should_stop()) stopped_ = true;
+    const bool reports = rounds_done_ % rounds_per_report == 0 || rounds_done_ == rounds_;
+    if (options_.on_progress && reports) {
+      RemeshProgress progress = measure_progress(mesh);
+      progress.iteration = rounds_done_;
+      progress.iterations = rounds_;
+      progress.strain = spring_strain(mesh, length);
+      options_.on_progress(progress);
+    }
+    return !stopped_;
+  }
+
+  const TriMesh& surface_;
+  const CrystalOptions& options_;
+  double area_;
+  int rounds_ = 0;
+  int rounds_done_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+double effort_factor(Effort effort) {
+  switch (effort) {
+    case Effort::quick:
+      return 0.15;
+    case Effort::normal:
+      return 1.0;
+    case Effort::thorough:
+      return 4.0;
+  }
+  throw InvalidOption("crystallize: unknown effort");
+}
+
+RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
+  return Crystallization(mesh, options).run();
+}
+
+RemeshResult remesh_by(const TriMesh& mesh, RemeshMethod method, double target_edge_length) {
+  std::visit([&](auto& options) { options.target_edge_length = target_edge_length; }, method);
+  if (const auto* paper = std::get_if<RemeshOptions>(&method)) return remesh(mesh, *paper);
+  return crystallize(mesh, std::get<CrystalOptions>(method));
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "constrained_mesh.h"
+
+namespace trivalent::remesh {
+
+/// Moves all vertices over the surface towards the minimum of Σ (|e|/L - 1)², one after the other
+/// (Gauss-Seidel, overrelaxed): each goes to the minimum of its own edges' energy in its tangent
+/// plane, or along its feature curve. Then all are projected; no face turns over.
+void relax_springs(ConstrainedMesh& constrained, double length, int sweeps);
+
+/// Mean of (|e|/L - 1)² over the edges.
+[[nodiscard]] double spring_strain(const TriMesh& mesh, double length);
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,126 @@
+#include "trivalent/remesh/crystallize.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <limits>
+#include <numbers>
+
+#include "mesh_fixtures.h"
+#include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/shapes.h"
+
+namespace trivalent::remesh {
+namespace {
+
+std::vector<Eigen::Vector3d> points_of(const TriMesh& mesh) {
+  std::vector<Eigen::Vector3d> points;
+  for (const auto v : mesh.vertices()) points.push_back(mesh.point(v));
+  return points;
+}
+
+/// A small task that takes a fraction of a second.
+CrystalOptions quick(double target) {
+  return {.target_edge_length = target, .effort = Effort::quick};
+}
+
+class Crystallize : public testing::TestWithParam<const char*> {};
+
+TEST_P(Crystallize, MakesAlmostPerfectNetsOnClosedSurfaces) {
+  const TriMesh surface = make_shape(GetParam(), {}, 0.1);
+  const double target = 0.12;
+  const RemeshResult result = crystallize(surface, {.target_edge_length = target});
+  const MeshQuality quality = measure_quality(result.mesh);
+  EXPECT_TRUE(testing_support::is_closed(result.mesh));
+  EXPECT_EQ(quality.euler_characteristic, testing_support::euler_characteristic(surface));
+  EXPECT_EQ(quality.self_intersections, 0);
+  EXPECT_NEAR(quality.edge_length.mean, target, 0.01 * target);
+  EXPECT_LT(quality.edge_length.relative(), 0.045);
+  EXPECT_GT(quality.regular_fraction, 0.94);
+  EXPECT_GE(quality.valences.begin()->first, 5);
+  EXPECT_LE(quality.valences.rbegin()->first, 7);
+}
+INSTANTIATE_TEST_SUITE_P(Shapes, Crystallize, testing::Values("sphere", "torus", "double-torus"));
+
+TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  std::vector<std::vector<Eigen::Vector3d>> nets;
+  for (const std::size_t threads : {1, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    nets.push_back(points_of(crystallize(torus, quick(0.15)).mesh));
+  }
+  EXPECT_EQ(nets[0], nets[1]);
+}
+
+TEST(CrystallizeNet, DependsOnTheSeed) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  CrystalOptions other = quick(0.15);
+  other.seed = 1;
+  EXPECT_NE(points_of(crystallize(torus, quick(0.15)).mesh),
+            points_of(crystallize(torus, other).mesh));
+}
+
+TEST(CrystallizeNet, KeepsTheBoundaryOfAnOpenSurface) {
+  const TriMesh sheet = make_shape("wavy-sheet", {}, 0.1);
+  const TriMesh net = crystallize(sheet, quick(0.12)).mesh;
+  EXPECT_EQ(measure_quality(net).boundary_loops, 1);
+  const auto distance = measure_distance(net, sheet);
+  EXPECT_LT(distance.max(), 0.12 / 4.0);
+}
+
+TEST(CrystallizeNet, KeepsCreases) {
+  const TriMesh can = make_shape("tube", {}, 0.1);
+  CrystalOptions options = quick(0.12);
+  options.feature_angle = std::numbers::pi / 4.0;
+  const TriMesh net = crystallize(can, options).mesh;
+  // With its rims kept, chords are all that parts the net from the tube.
+  EXPECT_LT(measure_distance(net, can).max(), 0.12 / 10.0);
+  EXPECT_EQ(testing_support::euler_characteristic(net), testing_support::euler_characteristic(can));
+}
+
+TEST(CrystallizeNet, ComesOutOfASurfaceTooSmallForACoarseOne) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.1);
+  const TriMesh net = crystallize(sphere, quick(0.9)).mesh;
+  EXPECT_TRUE(testing_support::is_closed(net));
+  EXPECT_GE(net.n_vertices(), 12U);
+}
+
+TEST(CrystallizeNet, IsWholeWhenStoppedEarly) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  CrystalOptions options = quick(0.15);
+  int rounds = 0;
+  options.should_stop = [&] { return ++rounds == 5; };
+  const RemeshResult result = crystallize(torus, options);
+  EXPECT_TRUE(result.stopped);
+  EXPECT_EQ(result.iterations, 5);
+  EXPECT_TRUE(testing_support::is_closed(result.mesh));
+  EXPECT_NEAR(mean_edge_length(result.mesh), 0.15, 0.05 * 0.15);
+}
+
+TEST(CrystallizeNet, ReportsProgressToTheEnd) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  CrystalOptions options = quick(0.15);
+  RemeshProgress last;
+  options.on_progress = [&](const RemeshProgress& progress) {
+    EXPECT_GT(progress.iteration, last.iteration);
+    EXPECT_GT(progress.strain, 0.0);
+    last = progress;
+  };
+  const RemeshResult result = crystallize(torus, options);
+  EXPECT_EQ(last.iteration, last.iterations);
+  EXPECT_EQ(last.iteration, result.iterations);
+  EXPECT_EQ(last.vertices, static_cast<int>(result.mesh.n_vertices()));
+}
+
+TEST(CrystallizeNet, RefusesWhatRemeshRefuses) {
+  const TriMesh torus = make_shape("torus", {}, 0.3);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double target : {0.0, -1.0, nan, 100.0, 1e-9}) {
+    EXPECT_THROW(static_cast<void>(crystallize(torus, quick(target))), InvalidOption) << target;
+  }
+  EXPECT_THROW(static_cast<void>(crystallize(TriMesh(), quick(0.1))), InvalidMesh);
+}
+
+}  // namespace
+}  // namespace trivalent::remesh

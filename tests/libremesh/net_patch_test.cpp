@@ -1,0 +1,130 @@
+#include "net_patch.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "spring_relaxation.h"
+#include "trivalent/remesh/shapes.h"
+
+namespace trivalent::remesh {
+namespace {
+
+/// A sheet whose patches are cut out in its middle.
+class Patch : public testing::Test {
+ protected:
+  Patch() : mesh_(make_shape("sphere", {}, 0.2)), sphere_(mesh_, std::nullopt) {}
+
+  NetPatch cut_out(int vertex) { return {sphere_, VertexHandle(vertex), 3, marks_}; }
+
+  /// Neighbors of a vertex of the patch, as a set.
+  static std::set<int> ring(const NetPatch& patch, int v) {
+    std::set<int> neighbors;
+    for (int k = 0; k < patch.valence(v); ++k) neighbors.insert(patch.neighbor(v, k));
+    return neighbors;
+  }
+
+  /// Every vertex inside is a neighbor of its neighbors inside, once.
+  static void expect_manifold(const NetPatch& patch) {
+    for (int v = 0; v < patch.size(); ++v) {
+      EXPECT_EQ(ring(patch, v).size(), static_cast<std::size_t>(patch.valence(v)));
+      for (const int w : ring(patch, v)) {
+        if (patch.valence(w) == 0) continue;
+        EXPECT_EQ(ring(patch, w).count(v), 1U) << v << ' ' << w;
+      }
+    }
+  }
+
+  TriMesh mesh_;
+  ConstrainedMesh sphere_;
+  PatchMarks marks_;
+};
+
+TEST_F(Patch, IsTheMeshAroundItsCenter) {
+  const NetPatch patch = cut_out(17);
+  ASSERT_TRUE(patch.is_whole());
+  EXPECT_EQ(patch.vertex(0), VertexHandle(17));
+  EXPECT_EQ(patch.valence(0), static_cast<int>(mesh_.valence(VertexHandle(17))));
+  for (int v = 0; v < patch.size(); ++v) {
+    EXPECT_LT((patch.position(v) - mesh_.point(patch.vertex(v))).norm(), 1e-6);
+  }
+  expect_manifold(patch);
+}
+
+TEST_F(Patch, FlipTakesAnEdgeAndGivesOne) {
+  const NetPatch before = cut_out(17);
+  const int a = before.neighbor(0, 0);
+  const int left = before.neighbor(0, 1);
+  const int right = before.neighbor(0, before.valence(0) - 1);
+  NetPatch after = before;
+  ASSERT_TRUE(after.flip(0, a));
+  expect_manifold(after);
+  EXPECT_EQ(after.valence(0), before.valence(0) - 1);
+  EXPECT_EQ(after.valence(left), before.valence(left) + 1);
+  EXPECT_EQ(ring(after, left).count(right), 1U);
+  ASSERT_TRUE(after.flip(left, right));
+  EXPECT_EQ(ring(after, 0), ring(before, 0));
+}
+
+TEST_F(Patch, CollapseUndoesSplit) {
+  const NetPatch before = cut_out(17);
+  const int a = before.neighbor(0, 2);
+  NetPatch after = before;
+  ASSERT_TRUE(after.split(0, a));
+  expect_manifold(after);
+  const int added = after.size() - 1;
+  EXPECT_FALSE(after.vertex(added).is_valid());
+  EXPECT_EQ(after.valence(added), 4);
+  ASSERT_TRUE(after.collapse(added, a));
+  expect_manifold(after);
+  EXPECT_EQ(ring(after, 0), ring(before, 0));
+  EXPECT_EQ(ring(after, a), ring(before, a));
+}
+
+TEST_F(Patch, MendingLowersTheDisorder) {
+  NetPatch patch = cut_out(17);
+  ASSERT_TRUE(patch.split(0, patch.neighbor(0, 0)));
+  const int before = patch.disorder();
+  patch.mend_valences();
+  EXPECT_LT(patch.disorder(), before);
+  expect_manifold(patch);
+}
+
+TEST_F(Patch, RelaxingLowersTheStrainAndKeepsTheRim) {
+  const double length = mean_edge_length(mesh_);
+  const NetPatch before = cut_out(17);
+  NetPatch after = before;
+  after.relax(length, 8);
+  EXPECT_LT(after.strain(length), before.strain(length));
+  EXPECT_TRUE(after.is_upright());
+  for (int v = 0; v < after.size(); ++v) {
+    if (after.is_free(v)) continue;
+    EXPECT_EQ(after.position(v), before.position(v));
+  }
+}
+
+TEST_F(Patch, RefusesChangesBeyondItsRim) {
+  NetPatch patch = cut_out(17);
+  const int rim = patch.size() - 1;
+  ASSERT_EQ(patch.valence(rim), 0);
+  EXPECT_FALSE(patch.flip(rim, 0));
+  EXPECT_FALSE(patch.split(rim, 0));
+  EXPECT_FALSE(patch.collapse(rim, 0));
+  EXPECT_TRUE(patch.changes().empty());
+}
+
+TEST(RelaxSprings, LowersTheStrainOnTheSurface) {
+  TriMesh mesh = make_shape("ellipsoid", {}, 0.2);
+  ConstrainedMesh constrained(mesh, std::nullopt);
+  const double length = mean_edge_length(mesh);
+  const double before = spring_strain(mesh, length);
+  relax_springs(constrained, length, 50);
+  EXPECT_LT(spring_strain(mesh, length), before);
+  for (const auto v : mesh.vertices()) {
+    const Eigen::Vector3d foot = constrained.surface().nearest(mesh.point(v)).position;
+    EXPECT_LT((foot - mesh.point(v)).norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace trivalent::remesh
