@@ -11,7 +11,7 @@ packages=(
   clang-14 libclang-rt-14-dev  # the fuzz targets
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies
-  python3 python3-ase python3-numpy  # reads our files back in the tests
+  python3 python3-ase python3-numpy python3-vtk9  # read our files back in the tests
 )
 
 missing=()

@@ -191,7 +191,7 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
   dual::write_lammps_package(folder, data, record.energy.energy,
                              {.data = {.style = style, .digits = digits(session)}});
 
-  const auto scale = dual::make_color_scale(record.energy.energies, dual::graphene_energy);
+  const auto scale = dual::diverging_scale(record.energy.energies, dual::graphene_energy);
   dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies, {.scale = scale});
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/graphene.h"
 #include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/rebo.h"
@@ -59,6 +61,12 @@ void check_potential(const Session& session) { static_cast<void>(chosen_potentia
 
 potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const Session& session) {
   return chosen_potential(session).evaluate(atoms, session);
+}
+
+double graphene_reference(const Session& session) {
+  if (is_rebo(session)) return dual::graphene_energy;
+  const potentials::Atoms cell = dual::graphene_cell();
+  return evaluate(cell, session).energy / static_cast<double>(cell.size());
 }
 
 bool is_rebo(const Session& session) { return chosen_potential(session).name == "rebo"; }

@@ -32,13 +32,15 @@ dual::XyzFrame shell_frame(const dual::Network& network) {
   return {.atoms = dual::carbon_atoms(network), .columns = dual::network_columns(network)};
 }
 
-void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result) {
-  // What a file brought along under these names is outdated now.
-  const auto columns = dual::energy_columns(result);
-  for (const dual::Column& column : columns) {
+void replace_columns(dual::XyzFrame& frame, std::vector<dual::Column> columns) {
+  for (dual::Column& column : columns) {
     std::erase_if(frame.columns, [&](const dual::Column& old) { return old.name == column.name; });
-    frame.columns.push_back(column);
+    frame.columns.push_back(std::move(column));
   }
+}
+
+void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result) {
+  replace_columns(frame, dual::energy_columns(result));
   std::erase_if(frame.header, [](const dual::HeaderEntry& old) { return old.key == "energy"; });
   frame.header.push_back({.key = "energy", .value = result.energy});
 }
