@@ -91,7 +91,9 @@ AtomMap excess_map(std::span<const double> energies, double reference) {
 }
 
 AtomMap ring_size_map(const std::vector<std::array<int, 3>>& ring_sizes) {
-  AtomMap map = {.name = "ring_size", .title = "ring size", .values = {},
+  AtomMap map = {.name = "ring_size",
+                 .title = "ring size",
+                 .values = {},
                  .categories = ring_size_categories()};
   for (const std::array<int, 3>& sizes : ring_sizes) {
     int oddest = 0;
@@ -105,23 +107,25 @@ AtomMap ring_size_map(const std::vector<std::array<int, 3>>& ring_sizes) {
 }
 
 AtomMap coordination_map(const Bonding& bonding) {
-  AtomMap map = {.name = "coordination", .title = "coordination", .values = {},
+  AtomMap map = {.name = "coordination",
+                 .title = "coordination",
+                 .values = {},
                  .categories = coordination_categories()};
   for (const auto& ends : bonding) map.values.push_back(static_cast<double>(ends.size()));
   return map;
 }
 
 AtomMap bond_strain_map(const Bonding& bonding, double bond_length) {
-  AtomMap map = {.name = "bond_strain", .title = "mean strain of its bonds", .unit = "%",
-                 .values = {}};
+  AtomMap map = {
+      .name = "bond_strain", .title = "mean strain of its bonds", .unit = "%", .values = {}};
   for (const auto& ends : bonding) map.values.push_back(strain(ends, bond_length));
   map.scale = diverging_scale(map.values, 0.0);
   return map;
 }
 
 AtomMap pyramidalization_map(const Bonding& bonding) {
-  AtomMap map = {.name = "pyramidalization", .title = "pyramidalization angle", .unit = "°",
-                 .values = {}};
+  AtomMap map = {
+      .name = "pyramidalization", .title = "pyramidalization angle", .unit = "°", .values = {}};
   for (const auto& ends : bonding) map.values.push_back(pyramidalization(ends));
   map.scale = sequential_scale(map.values, 0.0);
   return map;

@@ -37,7 +37,8 @@ Bonding find_bonding(const potentials::Atoms& atoms) {
   Bonding bonding(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     for (const potentials::Neighbor& neighbor : neighbors[i]) {
-      if (neighbor.distance >= longest_bond(atoms.species[i], atoms.species[neighbor.atom])) continue;
+      if (neighbor.distance >= longest_bond(atoms.species[i], atoms.species[neighbor.atom]))
+        continue;
       bonding[i].push_back({.atom = static_cast<int>(neighbor.atom),
                             .image = {neighbor.image[0], neighbor.image[1], neighbor.image[2]},
                             .separation = neighbor.separation});

@@ -11,9 +11,9 @@ namespace {
 const std::vector<Color> blue_white_red = {
     {33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}};
 // Stops of matplotlib's viridis, which is as even in grey as in color.
-const std::vector<Color> violet_green_yellow = {{68, 1, 84},    {71, 45, 123},   {59, 82, 139},
-                                                {44, 114, 142}, {33, 145, 140},  {40, 174, 128},
-                                                {94, 201, 98},  {173, 220, 48},  {253, 231, 37}};
+const std::vector<Color> violet_green_yellow = {{68, 1, 84},    {71, 45, 123},  {59, 82, 139},
+                                                {44, 114, 142}, {33, 145, 140}, {40, 174, 128},
+                                                {94, 201, 98},  {173, 220, 48}, {253, 231, 37}};
 
 Color blend(const Color& from, const Color& to, double fraction) {
   Color color = {};

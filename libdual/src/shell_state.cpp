@@ -49,8 +49,8 @@ ShellState atoms_state(std::string name, const potentials::Atoms& atoms) {
 
 void add_energies(ShellState& state, std::span<const double> energies, double reference) {
   if (energies.size() != state.atoms.size()) {
-    throw InvalidNetwork(concat("add_energies: ", energies.size(), " energies for ",
-                                state.atoms.size(), " atoms"));
+    throw InvalidNetwork(
+        concat("add_energies: ", energies.size(), " energies for ", state.atoms.size(), " atoms"));
   }
   std::vector<AtomMap> maps = {energy_map(energies, reference), excess_map(energies, reference)};
   state.maps.insert(state.maps.begin(), maps.begin(), maps.end());

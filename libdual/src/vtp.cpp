@@ -31,9 +31,9 @@ struct Document {
   void add_array(const std::string& name, const std::vector<Value>& values, int components = 1) {
     static_assert(std::is_same_v<Value, double> || std::is_same_v<Value, std::int32_t>);
     const char* type = std::is_same_v<Value, double> ? "Float64" : "Int32";
-    xml += concat("        <DataArray type=\"", type, "\" Name=\"", name,
-                  "\" NumberOfComponents=\"", components, "\" format=\"appended\" offset=\"",
-                  arrays.size(), "\"/>\n");
+    xml +=
+        concat("        <DataArray type=\"", type, "\" Name=\"", name, "\" NumberOfComponents=\"",
+               components, "\" format=\"appended\" offset=\"", arrays.size(), "\"/>\n");
     append_bytes(arrays, static_cast<std::uint64_t>(values.size() * sizeof(Value)));
     for (const Value& value : values) append_bytes(arrays, value);
   }

@@ -47,7 +47,8 @@ TEST(BondStrainMap, IsTheStretchOfAScaledSheet) {
 }
 
 TEST(RingSizeMap, ShowsTheOddestRing) {
-  const AtomMap map = ring_size_map({{6, 6, 6}, {6, 6, 5}, {7, 6, 5}, {8, 6, 5}, {6, 0, 0}, {0, 0, 0}});
+  const AtomMap map =
+      ring_size_map({{6, 6, 6}, {6, 6, 5}, {7, 6, 5}, {8, 6, 5}, {6, 0, 0}, {0, 0, 0}});
   EXPECT_EQ(map.values, (std::vector<double>{6, 5, 7, 8, 6, 0}));
   EXPECT_EQ(map.color(0), category_color(map.categories, 6));
   EXPECT_EQ(category_color(map.categories, 11), category_color(map.categories, 8));

@@ -45,7 +45,8 @@ TEST(SequentialScale, GetsLighterAllTheWayUp) {
 TEST(ColorScales, HaveAWidthForEqualOrNoValues) {
   for (const std::vector<double>& values :
        {std::vector<double>{}, {-7.0, -7.0}, {std::nan(""), std::nan("")}}) {
-    for (const ColorScale& scale : {diverging_scale(values, -7.0), sequential_scale(values, -7.0)}) {
+    for (const ColorScale& scale :
+         {diverging_scale(values, -7.0), sequential_scale(values, -7.0)}) {
       EXPECT_GT(scale.high, scale.low);
     }
   }

@@ -51,9 +51,9 @@ struct AtomMap {
 /// Mean strain of an atom's bonds [%], against bonds of the given length [Å].
 [[nodiscard]] AtomMap bond_strain_map(const Bonding& bonding, double bond_length);
 
-/// Curvature as chemists measure it: the angle [degree] by which the three bonds of an atom lean out
-/// of the plane across the axis that has the same angle with all three (POAV1) [Haddon1988]: 0 in
-/// graphene, 11.6 in C60. Only atoms of three bonds have one.
+/// Curvature as chemists measure it: the angle [degree] by which the three bonds of an atom lean
+/// out of the plane across the axis that has the same angle with all three (POAV1) [Haddon1988]: 0
+/// in graphene, 11.6 in C60. Only atoms of three bonds have one.
 [[nodiscard]] AtomMap pyramidalization_map(const Bonding& bonding);
 
 /// Distances [Å] that were measured elsewhere, from 0: to a surface, or moved.

@@ -11,8 +11,8 @@ namespace trivalent::dual {
 
 /// A bond as one of its two atoms sees it.
 struct BondEnd {
-  int atom = 0;                                           ///< at the other end
-  std::array<int, 3> image = {0, 0, 0};                   ///< periodic copy of it, in cell vectors
+  int atom = 0;                                          ///< at the other end
+  std::array<int, 3> image = {0, 0, 0};                  ///< periodic copy of it, in cell vectors
   Eigen::Vector3d separation = Eigen::Vector3d::Zero();  ///< towards it [Å]
 };
 
@@ -49,8 +49,8 @@ struct Ring {
 /// Cost: O(n) for n atoms.
 [[nodiscard]] std::vector<Ring> find_rings(const Bonding& bonding);
 
-/// Atoms with what find_bonding and find_rings say of them: only bonds and rings that do not cross a
-/// periodic boundary, since those are the ones that can be drawn.
+/// Atoms with what find_bonding and find_rings say of them: only bonds and rings that do not cross
+/// a periodic boundary, since those are the ones that can be drawn.
 [[nodiscard]] Network drawable_network(const potentials::Atoms& atoms, const Bonding& bonding,
                                        const std::vector<Ring>& rings);
 

@@ -21,8 +21,8 @@ struct ColorScale {
 };
 
 /// Blue below the center, white at it, red above: readable without red-green vision. Spans from the
-/// 2nd to the 98th percentile of the values, whichever is farther from the center, so that a few bad
-/// atoms do not wash out all others. Values that are not a number are left out.
+/// 2nd to the 98th percentile of the values, whichever is farther from the center, so that a few
+/// bad atoms do not wash out all others. Values that are not a number are left out.
 ///
 /// @throws InvalidOption if a value is infinite or the center is not finite.
 [[nodiscard]] ColorScale diverging_scale(std::span<const double> values, double center);

@@ -12,15 +12,15 @@
 
 namespace trivalent::dual {
 
-/// Atoms, bonds and rings with everything that is to be seen of them: what pictures, pages and files
-/// for viewers are made from.
+/// Atoms, bonds and rings with everything that is to be seen of them: what pictures, pages and
+/// files for viewers are made from.
 struct ShellState {
   std::string name;  ///< for people, as in "relaxed"
-  potentials::Atoms atoms;
-  Network network;            ///< bonds and rings to be drawn; positions as in atoms
+  potentials::Atoms atoms = {};
+  Network network;  ///< bonds and rings to be drawn; positions as in atoms
   std::vector<std::array<int, 3>> rings_at_atoms = {};  ///< as ring_sizes_at_atoms
   std::map<int, int> ring_sizes = {};  ///< rings by size, also those that cannot be drawn
-  std::vector<AtomMap> maps;           ///< values one per atom
+  std::vector<AtomMap> maps = {};      ///< values one per atom
   [[nodiscard]] const AtomMap* find(std::string_view map) const;  ///< null if there is none
 };
 
