@@ -12,11 +12,16 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr Color no_value = {150, 150, 150};
 
-double strain(const std::vector<BondEnd>& ends, double bond_length) {
-  if (ends.empty()) return none;
+double strain(const std::vector<BondEnd>& ends, std::span<const potentials::Species> species,
+              double bond_length) {
   double sum = 0.0;
-  for (const BondEnd& end : ends) sum += end.separation.norm() / bond_length - 1.0;
-  return 100.0 * sum / static_cast<double>(ends.size());
+  int n_bonds = 0;
+  for (const BondEnd& end : ends) {
+    if (species[end.atom] != potentials::Species::carbon) continue;
+    sum += end.separation.norm() / bond_length - 1.0;
+    ++n_bonds;
+  }
+  return n_bonds > 0 ? 100.0 * sum / n_bonds : none;
 }
 
 double pyramidalization(const std::vector<BondEnd>& ends) {
@@ -115,10 +120,14 @@ AtomMap coordination_map(const Bonding& bonding) {
   return map;
 }
 
-AtomMap bond_strain_map(const Bonding& bonding, double bond_length) {
+AtomMap bond_strain_map(const Bonding& bonding, std::span<const potentials::Species> species,
+                        double bond_length) {
   AtomMap map = {
       .name = "bond_strain", .title = "mean strain of its bonds", .unit = "%", .values = {}};
-  for (const auto& ends : bonding) map.values.push_back(strain(ends, bond_length));
+  for (std::size_t i = 0; i < bonding.size(); ++i) {
+    const bool is_carbon = species[i] == potentials::Species::carbon;
+    map.values.push_back(is_carbon ? strain(bonding[i], species, bond_length) : none);
+  }
   map.scale = diverging_scale(map.values, 0.0);
   return map;
 }

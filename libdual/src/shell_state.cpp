@@ -1,6 +1,7 @@
 #include "trivalent/dual/shell_state.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "check_atoms.h"
 #include "trivalent/dual/bonding.h"
@@ -11,10 +12,10 @@
 namespace trivalent::dual {
 namespace {
 
-std::vector<AtomMap> network_maps(const Bonding& bonding,
+std::vector<AtomMap> network_maps(const potentials::Atoms& atoms, const Bonding& bonding,
                                   const std::vector<std::array<int, 3>>& ring_sizes) {
   return {ring_size_map(ring_sizes), coordination_map(bonding),
-          bond_strain_map(bonding, graphene_bond), pyramidalization_map(bonding)};
+          bond_strain_map(bonding, atoms.species, graphene_bond), pyramidalization_map(bonding)};
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ ShellState network_state(std::string name, const Network& network) {
                       .rings_at_atoms = ring_sizes_at_atoms(network),
                       .ring_sizes = check_network(network).ring_sizes,
                       .maps = {}};
-  state.maps = network_maps(bonding_of(network), state.rings_at_atoms);
+  state.maps = network_maps(state.atoms, bonding_of(network), state.rings_at_atoms);
   return state;
 }
 
@@ -43,7 +44,7 @@ ShellState atoms_state(std::string name, const potentials::Atoms& atoms) {
     ++state.ring_sizes[static_cast<int>(ring.atoms.size())];
   }
   state.rings_at_atoms = ring_sizes_at_atoms(atoms_of_rings, atoms.size());
-  state.maps = network_maps(bonding, state.rings_at_atoms);
+  state.maps = network_maps(atoms, bonding, state.rings_at_atoms);
   return state;
 }
 
@@ -52,7 +53,15 @@ void add_energies(ShellState& state, std::span<const double> energies, double re
     throw InvalidNetwork(
         concat("add_energies: ", energies.size(), " energies for ", state.atoms.size(), " atoms"));
   }
-  std::vector<AtomMap> maps = {energy_map(energies, reference), excess_map(energies, reference)};
+  // What an atom of graphene has says nothing about hydrogen.
+  std::vector<double> of_carbon(energies.begin(), energies.end());
+  for (std::size_t i = 0; i < of_carbon.size(); ++i) {
+    if (state.atoms.species[i] != potentials::Species::carbon) {
+      of_carbon[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  std::vector<AtomMap> maps = {energy_map(energies, reference), excess_map(of_carbon, reference)};
+  maps.front().scale = diverging_scale(of_carbon, reference);
   state.maps.insert(state.maps.begin(), maps.begin(), maps.end());
 }
 

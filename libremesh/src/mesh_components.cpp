@@ -93,8 +93,8 @@ double winding_number(const TriMesh& mesh, std::span<const FaceHandle> faces,
     const double la = a.norm();
     const double lb = b.norm();
     const double lc = c.norm();
-    angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la +
-                                                     c.dot(a) * lb);
+    angle += 2.0 * std::atan2(a.dot(b.cross(c)),
+                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
 }

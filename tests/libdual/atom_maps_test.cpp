@@ -41,7 +41,8 @@ TEST(PyramidalizationMap, HasNoValueWithoutThreeBonds) {
 }
 
 TEST(BondStrainMap, IsTheStretchOfAScaledSheet) {
-  const AtomMap map = bond_strain_map(find_bonding(graphene_cell(1.05 * 1.42)), 1.42);
+  const potentials::Atoms cell = graphene_cell(1.05 * 1.42);
+  const AtomMap map = bond_strain_map(find_bonding(cell), cell.species, 1.42);
   for (const double strain : map.values) EXPECT_NEAR(strain, 5.0, 1e-9);
   EXPECT_NEAR(map.scale.middle(), 0.0, 1e-12);
 }
@@ -78,6 +79,19 @@ TEST(ShellState, SaysTheSameOfAtomsAndOfTheNetworkTheyCameFrom) {
   EXPECT_EQ(found.rings_at_atoms, known.rings_at_atoms);
   EXPECT_EQ(found.find("coordination")->values, known.find("coordination")->values);
   EXPECT_EQ(found.find("energy"), nullptr);
+}
+
+TEST(AddEnergies, KeepsHydrogenOutOfTheScales) {
+  potentials::Atoms atoms = {.positions = {{0, 0, 0}, {1.4, 0, 0}, {-1.1, 0, 0}},
+                             .species = {potentials::Species::carbon, potentials::Species::carbon,
+                                         potentials::Species::hydrogen},
+                             .box = {}};
+  ShellState state = atoms_state("C2H", atoms);
+  add_energies(state, std::vector<double>{-7.0, -6.5, -2.0}, -7.0);
+  EXPECT_EQ(state.find("energy")->values[2], -2.0);
+  EXPECT_EQ(state.find("energy")->scale.high, -6.5);
+  EXPECT_TRUE(std::isnan(state.find("excess_energy")->values[2]));
+  EXPECT_TRUE(std::isnan(state.find("bond_strain")->values[2]));
 }
 
 TEST(AddEnergies, ThrowsUnlessThereIsOnePerAtom) {

@@ -85,7 +85,8 @@ TEST(DrawStates, FillsTheSurfaceWithRings) {
 
 TEST(DrawStates, TakesTheScaleOfTheLastStateForAll) {
   // Alone, the first would span its own energies; beside the second, all of it is beyond the end.
-  const std::vector<ShellState> states = {shell_with_energies(-4.0, -3.0), shell_with_energies(-7.2, -6.8)};
+  const std::vector<ShellState> states = {shell_with_energies(-4.0, -3.0),
+                                          shell_with_energies(-7.2, -6.8)};
   const Picture both = draw_states(states, small_picture());
   EXPECT_GT(redness(both, 0, 75), 300.0);
   EXPECT_GT(redness(both, 75, 150), 300.0);

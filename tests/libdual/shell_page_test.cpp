@@ -47,7 +47,8 @@ std::vector<unsigned char> from_base64(const std::string& text) {
       word = word << 6 | (is_filler ? 0u : static_cast<unsigned>(letters.find(text[i + k])));
       n += is_filler ? 0 : 1;
     }
-    for (int k = 0; k < n - 1; ++k) bytes.push_back(static_cast<unsigned char>(word >> (16 - 8 * k)));
+    for (int k = 0; k < n - 1; ++k)
+      bytes.push_back(static_cast<unsigned char>(word >> (16 - 8 * k)));
   }
   return bytes;
 }
@@ -88,7 +89,10 @@ TEST(Base64, EncodesTheExamplesOfItsStandard) {
 TEST(PackedIntegers, UnpackToTheSame) {
   using Limits = std::numeric_limits<std::int32_t>;
   const std::vector<std::vector<std::int32_t>> lists = {
-      {}, {0}, {-1}, {1, 2, 3, -4, 500, -70000, 8000000},
+      {},
+      {0},
+      {-1},
+      {1, 2, 3, -4, 500, -70000, 8000000},
       {Limits::max(), Limits::min(), 0, Limits::min(), Limits::max(), 7}};
   for (const auto& values : lists) {
     for (const std::size_t stride : {0, 1, 3}) {
@@ -109,8 +113,11 @@ TEST(WriteShellPage, LetsNoTextBecomeMarkup) {
   const std::string evil = "</script><img src=x onerror=\"alert('1')\">&\\\n";
   ShellState state = small_state();
   state.name = evil;
-  const std::string text = page_text({.title = evil, .states = {state}, .notes = {evil},
-                                      .parameters = {{evil, evil}}, .results = {{evil, evil}}});
+  const std::string text = page_text({.title = evil,
+                                      .states = {state},
+                                      .notes = {evil},
+                                      .parameters = {{evil, evil}},
+                                      .results = {{evil, evil}}});
   const std::string data = text.substr(viewer.find("<!--"));
   EXPECT_EQ(data.find("<img"), std::string::npos);
   EXPECT_EQ(data.find("</script>"), data.rfind("</script>"));
@@ -135,7 +142,8 @@ TEST(WriteShellPage, ShowsASampleOfManyAtomsAndTheWorst) {
   const std::size_t worst = 1000003;
   energies[worst] = 5.0;
   for (std::size_t i = 0; i < many; ++i) {
-    state.atoms.positions.emplace_back(static_cast<double>(i % 1000), static_cast<double>(i / 1000), 0);
+    state.atoms.positions.emplace_back(static_cast<double>(i % 1000), static_cast<double>(i / 1000),
+                                       0);
   }
   state.atoms.species.assign(many, potentials::Species::carbon);
   state.network.positions = state.atoms.positions;
@@ -160,8 +168,9 @@ TEST(WriteShellPage, ThrowsOnWhatCannotBeShown) {
   std::ostringstream out;
   EXPECT_THROW(write_shell_page(out, {.title = "", .states = {small_state()}}, "<html></html>"),
                InvalidOption);
-  EXPECT_THROW(write_shell_page("/nonexistent/a.html", {.title = "", .states = {small_state()}}, viewer),
-               FileError);
+  EXPECT_THROW(
+      write_shell_page("/nonexistent/a.html", {.title = "", .states = {small_state()}}, viewer),
+      FileError);
 }
 
 }  // namespace

@@ -151,7 +151,9 @@ export class Layer {
     const cache = new Map();
     const steps = 1023;
     for (let atom = 0; atom < this.state.count; ++atom) {
-      const value = values ? values[atom] : NaN;
+      // The scale of energies is carbon's.
+      const hasColor = values && !(map.name === 'energy' && this.state.species[atom] === 1);
+      const value = hasColor ? values[atom] : NaN;
       let key = value;
       if (scale && !Number.isNaN(value)) {
         key = Math.round(Math.min(1, Math.max(0, (value - scale.low) / (scale.high - scale.low))) * steps);

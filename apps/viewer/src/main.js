@@ -210,7 +210,7 @@ class Page {
     if (worst.length === 0) return;
     const energy = this.state.maps.get('energy');
     const ring = this.state.maps.get('ring_size');
-    this.worst.replaceChildren(element('h2', {}, 'Atoms of highest energy'), element('table', { className: 'atoms' },
+    this.worst.replaceChildren(element('h2', {}, 'Carbon atoms of highest energy'), element('table', { className: 'atoms' },
       element('tr', {}, ...['atom', `energy [${energy.unit}]`, 'ring'].map((text) => element('th', {}, text))),
       ...worst.map((atom) => {
         const node = element('button', { type: 'button', title: 'go there' }, String(this.state.id(atom)));

@@ -30,13 +30,14 @@ export function selectByRingSize(state, low, high) {
   return selected;
 }
 
-/** The atoms of highest energy, highest first; the lower number first among equals. */
+/** The carbon atoms of highest energy, highest first; the lower number first among equals. */
 export function worstAtoms(state, howMany) {
   const energy = state.maps.get('energy');
   if (!energy) return [];
   const { values } = energy;
   const worst = [];
   for (let atom = 0; atom < state.count; ++atom) {
+    if (state.species[atom] !== 6) continue;
     if (worst.length === howMany && !(values[atom] > values[worst[howMany - 1]])) continue;
     let place = worst.length;
     while (place > 0 && values[worst[place - 1]] < values[atom]) --place;

@@ -174,9 +174,14 @@ void draw_rings(Canvas& canvas, const ShellState& state, const Projection& proje
   }
 }
 
-std::vector<Rgb> atom_colors(const AtomMap& map, const AtomMap& of_state) {
+std::vector<Rgb> atom_colors(const AtomMap& map, const ShellState& state) {
   AtomMap colored = map;
-  colored.values = of_state.values;
+  colored.values = state.find(map.name)->values;
+  for (std::size_t i = 0; i < colored.values.size(); ++i) {
+    // The scale of energies is carbon's.
+    const bool is_carbon = state.atoms.species[i] == potentials::Species::carbon;
+    if (map.name == "energy" && !is_carbon) colored.values[i] = std::nan("");
+  }
   std::vector<Rgb> colors;
   for (std::size_t i = 0; i < colored.values.size(); ++i) colors.push_back(rgb(colored.color(i)));
   return colors;
@@ -189,7 +194,7 @@ void draw_state(Canvas& canvas, const ShellState& state, const PictureOptions& o
   if (options.style == PictureStyle::rings) {
     draw_rings(canvas, state, projection, map);
   } else {
-    draw_atoms(canvas, state, projection, atom_colors(map, *state.find(map.name)));
+    draw_atoms(canvas, state, projection, atom_colors(map, state));
   }
   double near = -std::numeric_limits<double>::infinity();
   double far = -near;

@@ -48,8 +48,10 @@ struct AtomMap {
 /// Number of bonds.
 [[nodiscard]] AtomMap coordination_map(const Bonding& bonding);
 
-/// Mean strain of an atom's bonds [%], against bonds of the given length [Å].
-[[nodiscard]] AtomMap bond_strain_map(const Bonding& bonding, double bond_length);
+/// Mean strain of an atom's bonds from carbon to carbon [%], against bonds of the given length [Å].
+[[nodiscard]] AtomMap bond_strain_map(const Bonding& bonding,
+                                      std::span<const potentials::Species> species,
+                                      double bond_length);
 
 /// Curvature as chemists measure it: the angle [degree] by which the three bonds of an atom lean
 /// out of the plane across the axis that has the same angle with all three (POAV1) [Haddon1988]: 0

@@ -35,7 +35,8 @@ struct ShellState {
 /// @throws potentials::InvalidAtoms as find_bonding.
 [[nodiscard]] ShellState atoms_state(std::string name, const potentials::Atoms& atoms);
 
-/// Puts maps of the energies [eV] and of what they are above the reference before all others.
+/// Puts maps of the energies [eV] and of what they are above the reference before all others. The
+/// reference and the color scales are carbon's; hydrogen has no energy above it.
 ///
 /// @throws InvalidNetwork if they are not one per atom.
 void add_energies(ShellState& state, std::span<const double> energies, double reference);
