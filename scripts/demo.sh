@@ -16,7 +16,9 @@ echo "The results are in $results:"
 echo "  surface.off    the remeshed surface: all edges of one length"
 echo "  shell.extxyz   the atoms with energies, coordination and ring sizes (ASE, OVITO)"
 echo "  shell.data     the same for LAMMPS, with the deck in.check that prints its REBO energy"
-echo "  energy.ply     energy map: blue atoms are as well off as in graphene, red ones are strained"
+echo "  report.html    the shell in 3D, to be opened in a browser"
+echo "  energy.ply     energy map: white atoms are as well off as in graphene, red ones are strained"
+echo "  energy.vtp     the same for ParaView"
 echo "  report.json    quality, distances, energies and timings"
 if command -v lmp >/dev/null; then
   echo

@@ -9,10 +9,15 @@ packages=(
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev  # the fuzz targets
+  chromium                  # opens the pages in the tests
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies
-  python3 python3-ase python3-numpy  # reads our files back in the tests
+  python3 python3-ase python3-numpy python3-vtk9  # read our files back in the tests
 )
+
+# The page that shows shells is made by npm; any Node.js from 18 on will do, whoever packaged it.
+command -v node >/dev/null || packages+=(nodejs)
+command -v npm >/dev/null || packages+=(npm)
 
 missing=()
 for package in "${packages[@]}"; do

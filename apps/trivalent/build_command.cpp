@@ -1,11 +1,14 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "build_input.h"
 #include "command.h"
 #include "files.h"
 #include "remesh_options.h"
+#include "report_page.h"
 #include "reports.h"
 #include "session.h"
 #include "shell_files.h"
@@ -17,6 +20,8 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/hydrogen.h"
 #include "trivalent/dual/lammps_package.h"
+#include "trivalent/dual/shell_page.h"
+#include "trivalent/dual/vtp.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/remesh/mesh_components.h"
@@ -47,6 +52,7 @@ struct BuildRecord {
   std::vector<std::string> notes = {};
   double wrap_offset = 0.0;  ///< 0 if the input was not wrapped
   remesh::MeshQuality input_quality = {};
+  remesh::TriMesh original = {};  ///< the input surface at the shell's scale
   dual::Shell shell = {};
   remesh::MeshQuality quality = {};
   remesh::MeshComponents components = {};
@@ -54,8 +60,8 @@ struct BuildRecord {
   dual::NetworkReport network = {};  ///< of the carbon atoms
   dual::HydrogenCaps caps = {};
   potentials::EnergyForces energy = {};
-  dual::EnergySummary energy_before = {};
-  bool has_energy_before = false;
+  std::optional<dual::ShellState> before = {};  ///< the dual of the input
+  dual::ShellState after = {};
   Stopwatch stopwatch = {};
   int exit_code = done;  ///< of a build that was stopped early: 128 + the signal
 };
@@ -79,21 +85,22 @@ Grammar grammar_of_build() {
   grammar.epilog =
       "SHAPE is a mesh file (OFF, OBJ, PLY, STL, or points in XYZ; - is standard input) or a\n"
       "built-in shape.\n"
-      "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply and\n"
-      "report.json.\n\n" +
+      "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply, energy.vtp,\n"
+      "report.json and report.html (open it in a browser).\n\n" +
       shapes_help();
   return grammar;
 }
 
-/// Energies of the dual of the surface as it came, at the same mean bond. Such a dual may be beyond
-/// any potential (atoms on top of each other); that is a finding, not a failure of the build.
-void measure_energy_before(remesh::TriMesh original, BuildRecord& record) {
+/// The dual of the surface as it came, at the same mean bond. Such a dual may be beyond any
+/// potential (atoms on top of each other); that is a finding, not a failure of the build.
+void measure_energy_before(BuildRecord& record) {
   try {
+    remesh::TriMesh original = record.original;
     remesh::scale(original,
                   dual::scale_for_size(original, dual::MeanBond{record.network.bond_mean}));
-    const auto atoms = dual::carbon_atoms(dual::build_dual(original));
-    record.energy_before = dual::summarize_energies(potentials::rebo(atoms).energies, 0);
-    record.has_energy_before = true;
+    dual::ShellState state = dual::network_state("dual of the input", dual::build_dual(original));
+    dual::add_energies(state, potentials::rebo(state.atoms).energies, dual::graphene_energy);
+    record.before = std::move(state);
   } catch (const dual::InvalidNetwork& error) {
     record.notes.push_back(std::string("the input has no dual to compare with: ") + error.what());
   } catch (const potentials::InvalidAtoms& error) {
@@ -123,6 +130,16 @@ void cap_edges(BuildRecord& record) {
     record.notes.push_back(std::to_string(record.caps.bare_atoms) +
                            " atoms without any bond are not capped");
   }
+}
+
+void measure_energy_after(BuildRecord& record) {
+  const dual::Network& network = record.shell.network;
+  record.energy = potentials::rebo(dual::carbon_atoms(network));
+  record.after = dual::network_state("shell", network);
+  dual::add_energies(record.after, record.energy.energies, dual::graphene_energy);
+  record.after.maps.push_back(
+      dual::distance_map("surface_distance", "distance to the input surface",
+                         remesh::distances_to_surface(network.positions, record.original)));
 }
 
 void note_findings(BuildRecord& record) {
@@ -168,16 +185,16 @@ BuildRecord build(const Session& session) {
   record.wrap_offset = input.wrap_offset * record.shell.scale;
   record.components = remesh::find_components(record.shell.surface.mesh);
 
-  remesh::TriMesh original = std::move(input.mesh);
-  remesh::scale(original, record.shell.scale);
+  record.original = std::move(input.mesh);
+  remesh::scale(record.original, record.shell.scale);
   record.quality = remesh::measure_quality(record.shell.surface.mesh);
-  record.distance = remesh::measure_distance(record.shell.surface.mesh, original);
+  record.distance = remesh::measure_distance(record.shell.surface.mesh, record.original);
   record.network = dual::check_network(record.shell.network);
   if (caps_edges(session)) cap_edges(record);
   record.stopwatch.finish("measure");
 
-  record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
-  measure_energy_before(std::move(original), record);
+  measure_energy_after(record);
+  measure_energy_before(record);
   record.stopwatch.finish("energies");
   note_findings(record);
   return record;
@@ -198,8 +215,13 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
   dual::write_lammps_package(folder, data, record.energy.energy,
                              {.data = {.style = style, .digits = digits(session)}});
 
-  const auto scale = dual::make_color_scale(record.energy.energies, dual::graphene_energy);
-  dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies, {.scale = scale});
+  dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies,
+                         {.scale = record.after.find("energy")->scale});
+  dual::write_vtp(folder / "energy.vtp", record.after);
+}
+
+dual::EnergySummary summary_of(const dual::ShellState& state) {
+  return dual::summarize_energies(state.find("energy")->values, 0);
 }
 
 Json energy_json(const dual::EnergySummary& summary) {
@@ -221,7 +243,7 @@ Json options_json(const Session& session) {
 }
 
 Json report_json(const BuildRecord& record, const Session& session) {
-  const auto after = dual::summarize_energies(record.energy.energies, 0);
+  const auto after = summary_of(record.after);
   Json json = {{"program", "trivalent"},
                {"version", TRIVALENT_VERSION},
                {"input", session.get<std::string>("SHAPE")},
@@ -240,7 +262,8 @@ Json report_json(const BuildRecord& record, const Session& session) {
                {"hydrogens", record.caps.hydrogens}};
   json["energy"] = {{"potential", "rebo"}, {"unit", "eV"}, {"after", energy_json(after)}};
   json["energy"]["before"] =
-      record.has_energy_before ? energy_json(record.energy_before) : Json(nullptr);
+      record.before ? energy_json(summary_of(*record.before)) : Json(nullptr);
+  json["energy"]["scale"] = scale_json(record.after.find("energy")->scale);
   json["seconds"] = record.stopwatch.seconds();
   return json;
 }
@@ -258,11 +281,11 @@ std::vector<TableRow> summary_rows(const BuildRecord& record) {
   rows.push_back({"shell"});
   append(rows, network_rows(record.network));
   rows.push_back({"REBO energy per atom"});
-  if (record.has_energy_before) {
-    rows.push_back({"dual of the input", energy_text(record.energy_before)});
+  if (record.before) {
+    rows.push_back({record.before->name, energy_text(summary_of(*record.before))});
   }
-  const auto after = dual::summarize_energies(record.energy.energies, 0);
-  rows.push_back({"shell", energy_text(after)});
+  const auto after = summary_of(record.after);
+  rows.push_back({record.after.name, energy_text(after)});
   rows.push_back({"total", decimals(after.total, 8) + " eV"});
   return rows;
 }
@@ -276,6 +299,28 @@ int plan_only(const Session& session) {
   const BuildPlan plan = plan_build(input.mesh, options);
   session.terminal.print({.table = plan_rows(plan), .json = plan_json(plan)});
   return plan.obstacles.empty() ? done : failed;
+}
+
+/// Takes the record apart: nothing of it is needed afterwards.
+dual::ShellPage report_page(BuildRecord& record, const Session& session) {
+  const std::string& shape = session.get<std::string>("SHAPE");
+  dual::ShellPage page = {.title = std::filesystem::path(shape).filename().string(),
+                          .notes = record.notes,
+                          .parameters = page_rows(options_json(session)),
+                          .results = page_rows(summary_rows(record))};
+  // A dual much larger than the shell would only weigh the page down.
+  constexpr std::size_t always_welcome = 250000;
+  if (record.before &&
+      record.before->atoms.size() <= std::max(always_welcome, record.after.atoms.size())) {
+    page.states.push_back(std::move(*record.before));
+  } else if (record.before) {
+    page.notes.push_back("the dual of the input has " +
+                         std::to_string(record.before->atoms.size()) +
+                         " atoms, too many to be shown beside the shell");
+  }
+  page.states.push_back(std::move(record.after));
+  page.surface = std::move(record.original);
+  return page;
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
@@ -301,6 +346,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
 
   session->terminal.notes(record.notes);
   Result result = {.table = summary_rows(record), .json = report};
+  write_page(folder / "report.html", report_page(record, *session));
   result.table.push_back({"results"});
   result.table.push_back({"folder", folder.string()});
   session->terminal.print(result);

@@ -27,6 +27,8 @@ extern const Command energy_command;
 extern const Command lammps_command;
 extern const Command relax_command;
 extern const Command inspect_command;
+extern const Command render_command;
 extern const Command shape_command;
+extern const Command view_command;
 
 }  // namespace trivalent::apps

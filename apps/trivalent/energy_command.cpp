@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "command.h"
 #include "files.h"
@@ -9,11 +10,12 @@
 #include "structure.h"
 #include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/vtp.h"
 
 namespace trivalent::apps {
 namespace {
 
-constexpr std::array<std::string_view, 3> energy_extensions = {".extxyz", ".xyz", ".ply"};
+constexpr std::array<std::string_view, 4> energy_extensions = {".extxyz", ".xyz", ".ply", ".vtp"};
 
 Grammar grammar_of_energy() {
   Grammar grammar = {.arguments = {"FILE"}, .options = po::options_description("Options")};
@@ -21,35 +23,55 @@ Grammar grammar_of_energy() {
   grammar.options.add_options()                    //
       ("forces", "report forces, and write them")  //
       ("output,o", po::value<std::string>(),
-       "write energies per atom: .extxyz, or .ply with colors (and rings, if FILE is a mesh)")  //
-      ("worst", with_default(5), "how many atoms of highest energy to list, >= 0")              //
+       "write energies per atom: .extxyz; .ply with colors; .vtp with all scalars")  //
+      ("worst", with_default(5), "how many atoms of highest energy to list, >= 0")   //
       ("digits", with_default(std::string("decimals")), "of the output: decimals or 17");
   add_structure_options(grammar.options);
   return grammar;
 }
 
-void write_result(const Structure& structure, const potentials::EnergyForces& energy,
-                  const Session& session) {
-  const std::filesystem::path output = session.get<std::string>("output");
-  if (extension_of(output) == ".ply") {
-    const auto scale = dual::make_color_scale(energy.energies, dual::graphene_energy);
-    dual::write_energy_ply(output, structure.network, energy.energies, {.scale = scale});
-    return;
-  }
+void write_atoms(const Structure& structure, const dual::ShellState& state,
+                 const potentials::EnergyForces& energy, const Session& session) {
   dual::XyzFrame frame = structure.frame;
+  replace_columns(frame, dual::network_columns(state));
   add_energies(frame, energy);
   if (!session.has("forces")) {
     std::erase_if(frame.columns,
                   [](const dual::Column& column) { return column.name == "forces"; });
   }
-  dual::write_xyz(output, frame, digits(session));
+  dual::write_xyz(session.get<std::string>("output"), frame, digits(session));
 }
 
-void add_worst_atoms(const Structure& structure, const potentials::EnergyForces& energy,
+void write_result(const Structure& structure, const dual::ShellState& state,
+                  const potentials::EnergyForces& energy, const Session& session) {
+  const std::filesystem::path output = session.get<std::string>("output");
+  const std::string extension = extension_of(output);
+  if (extension == ".vtp") {
+    dual::write_vtp(output, state);
+  } else if (extension == ".ply") {
+    dual::write_energy_ply(output, state.network, energy.energies,
+                           {.scale = state.find("energy")->scale});
+  } else {
+    write_atoms(structure, state, energy, session);
+  }
+}
+
+void add_network(const dual::ShellState& state, Result& result) {
+  std::map<int, int> coordinations;
+  for (const double count : state.find("coordination")->values) {
+    ++coordinations[static_cast<int>(count)];
+  }
+  result.table.push_back({"atoms by bonds", histogram_text(coordinations)});
+  result.table.push_back({"rings by size", histogram_text(state.ring_sizes)});
+  result.json["coordinations"] = histogram_json(coordinations);
+  result.json["ring_sizes"] = histogram_json(state.ring_sizes);
+}
+
+void add_worst_atoms(const dual::ShellState& state, const potentials::EnergyForces& energy,
                      const dual::EnergySummary& summary, Result& result) {
   result.json["worst"] = Json::array();
   for (const int atom : summary.worst) {
-    const Eigen::Vector3d& position = structure.network.positions[atom];
+    const Eigen::Vector3d& position = state.atoms.positions[atom];
     const int id = atom + 1;
     result.json["worst"].push_back({{"id", id},
                                     {"energy", energy.energies[atom]},
@@ -74,18 +96,18 @@ void add_forces(const potentials::EnergyForces& energy, Result& result) {
   result.json["forces"] = std::move(forces);
 }
 
-Result describe(const Structure& structure, const potentials::EnergyForces& energy,
+Result describe(const dual::ShellState& state, const potentials::EnergyForces& energy,
                 const Session& session) {
   const auto summary = dual::summarize_energies(energy.energies, session.get<int>("worst"));
   const auto& potential = session.get<std::string>("potential");
   Result result = {.table = {{"potential", potential},
-                             {"atoms", std::to_string(structure.frame.atoms.size())},
+                             {"atoms", std::to_string(state.atoms.size())},
                              {"energy", decimals(energy.energy, 8) + " eV"},
                              {"per atom", decimals(summary.mean, 8) + " eV"}},
                    .json = {{"file", session.get<std::string>("FILE")},
                             {"potential", potential},
                             {"unit", "eV"},
-                            {"atoms", structure.frame.atoms.size()},
+                            {"atoms", state.atoms.size()},
                             {"energy", energy.energy},
                             {"energy_per_atom", summary.mean}}};
   if (is_rebo(session)) {
@@ -97,7 +119,8 @@ Result describe(const Structure& structure, const potentials::EnergyForces& ener
                                                       decimals(summary.highest, 4) + " eV"});
   result.json["lowest"] = summary.lowest;
   result.json["highest"] = summary.highest;
-  add_worst_atoms(structure, energy, summary, result);
+  add_worst_atoms(state, energy, summary, result);
+  add_network(state, result);
   if (session.has("forces")) add_forces(energy, result);
   return result;
 }
@@ -118,8 +141,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   check_options(*session);
   const Structure structure = read_structure(session->get<std::string>("FILE"), *session);
   const potentials::EnergyForces energy = evaluate(structure.frame.atoms, *session);
-  if (session->has("output")) write_result(structure, energy, *session);
-  session->terminal.print(describe(structure, energy, *session));
+  dual::ShellState state = state_of(structure);
+  dual::add_energies(state, energy.energies, graphene_reference(*session));
+  if (session->has("output")) write_result(structure, state, energy, *session);
+  session->terminal.print(describe(state, energy, *session));
   return done;
 }
 

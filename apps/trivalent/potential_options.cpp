@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/graphene.h"
 #include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/rebo.h"
@@ -81,6 +83,12 @@ potentials::EnergyFunction energy_function(const Session& session) {
   return [result, &session](const potentials::Atoms& atoms) -> const potentials::EnergyForces& {
     return *result = evaluate(atoms, session);
   };
+}
+
+double graphene_reference(const Session& session) {
+  if (is_rebo(session)) return dual::graphene_energy;
+  const potentials::Atoms cell = dual::graphene_cell();
+  return evaluate(cell, session).energy / static_cast<double>(cell.size());
 }
 
 bool is_rebo(const Session& session) { return chosen_potential(session).name == "rebo"; }

@@ -27,6 +27,9 @@ void check_potential(const Session& session);
 /// The potential and its parameters in words.
 [[nodiscard]] std::string potential_text(const Session& session);
 
+/// What an atom of graphene has under that potential [eV], at REBO's bond length.
+[[nodiscard]] double graphene_reference(const Session& session);
+
 /// Whether energies may be compared with those of graphene under REBO.
 [[nodiscard]] bool is_rebo(const Session& session);
 

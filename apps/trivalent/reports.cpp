@@ -9,7 +9,12 @@ namespace {
 
 double degrees(double radian) { return radian * 180.0 / std::numbers::pi; }
 
-/// JSON has only text as keys.
+Json one_sided_json(const remesh::SurfaceDistance& distance) {
+  return {{"max", distance.max}, {"mean", distance.mean}, {"rms", distance.root_mean_square}};
+}
+
+}  // namespace
+
 Json histogram_json(const std::map<int, int>& histogram) {
   Json json = Json::object();
   for (const auto& [key, count] : histogram) json[std::to_string(key)] = count;
@@ -23,12 +28,6 @@ std::string histogram_text(const std::map<int, int>& histogram) {
   }
   return text.empty() ? "none" : text;
 }
-
-Json one_sided_json(const remesh::SurfaceDistance& distance) {
-  return {{"max", distance.max}, {"mean", distance.mean}, {"rms", distance.root_mean_square}};
-}
-
-}  // namespace
 
 Json quality_json(const remesh::MeshQuality& quality) {
   const remesh::Spread& edge = quality.edge_length;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -18,9 +19,12 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json quality_json(const remesh::MeshQuality& quality);
 [[nodiscard]] Json components_json(const remesh::MeshComponents& components);
 [[nodiscard]] Json distance_json(const remesh::TwoSidedDistance& distance);
+/// JSON has only text as keys.
+[[nodiscard]] Json histogram_json(const std::map<int, int>& histogram);
 [[nodiscard]] Json network_json(const dual::NetworkReport& network);
 
 // The same for people.
+[[nodiscard]] std::string histogram_text(const std::map<int, int>& histogram);
 [[nodiscard]] std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality);
 /// Nothing for a single component, which the quality describes.
 [[nodiscard]] std::vector<TableRow> components_rows(const remesh::MeshComponents& components);

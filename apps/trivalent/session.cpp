@@ -31,6 +31,10 @@ po::variables_map parse(const Grammar& grammar, std::span<const std::string> arg
     all.add_options()(name.c_str(), po::value<std::string>());
     positions.add(name.c_str(), 1);
   }
+  if (!grammar.list.empty()) {
+    all.add_options()(grammar.list.c_str(), po::value<std::vector<std::string>>());
+    positions.add(grammar.list.c_str(), -1);
+  }
   // An abbreviated option would change its meaning whenever a new one appears.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   const std::vector<std::string> words(arguments.begin(), arguments.end());
@@ -57,7 +61,9 @@ std::optional<Session> start(const Command& command, std::span<const std::string
     print_help(command, grammar);
     return std::nullopt;
   }
-  for (const std::string& name : grammar.arguments) {
+  std::vector<std::string> required = grammar.arguments;
+  if (!grammar.list.empty()) required.push_back(grammar.list);
+  for (const std::string& name : required) {
     if (values.count(name) > 0) continue;
     throw UsageError("missing " + name + "; usage: trivalent " + std::string(command.name) + ' ' +
                      std::string(command.synopsis));

@@ -28,6 +28,7 @@ struct Grammar {
   std::vector<std::string> arguments;
   po::options_description options;
   std::string epilog = {};  ///< printed after the options in --help
+  std::string list = {};    ///< name of an argument that follows and may be repeated, at least one
 };
 
 /// A subcommand at work: what it was told, where it talks, and how many threads it has.

@@ -32,18 +32,15 @@ dual::XyzFrame shell_frame(const dual::Network& network) {
   return {.atoms = dual::carbon_atoms(network), .columns = dual::network_columns(network)};
 }
 
-namespace {
-
-// What a file brought along under this name is outdated now.
-void set_column(dual::XyzFrame& frame, dual::Column column) {
-  std::erase_if(frame.columns, [&](const dual::Column& old) { return old.name == column.name; });
-  frame.columns.push_back(std::move(column));
+void replace_columns(dual::XyzFrame& frame, std::vector<dual::Column> columns) {
+  for (dual::Column& column : columns) {
+    std::erase_if(frame.columns, [&](const dual::Column& old) { return old.name == column.name; });
+    frame.columns.push_back(std::move(column));
+  }
 }
 
-}  // namespace
-
 void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result) {
-  for (dual::Column& column : dual::energy_columns(result)) set_column(frame, std::move(column));
+  replace_columns(frame, dual::energy_columns(result));
   std::erase_if(frame.header, [](const dual::HeaderEntry& old) { return old.key == "energy"; });
   frame.header.push_back({.key = "energy", .value = result.energy});
 }
@@ -51,7 +48,7 @@ void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result)
 void add_displacements(dual::XyzFrame& frame, std::span<const Eigen::Vector3d> before) {
   std::vector<Eigen::Vector3d> ways(before.size());
   for (std::size_t i = 0; i < before.size(); ++i) ways[i] = frame.atoms.positions[i] - before[i];
-  set_column(frame, {.name = "displacement", .values = std::move(ways)});
+  replace_columns(frame, {{.name = "displacement", .values = std::move(ways)}});
 }
 
 }  // namespace trivalent::apps

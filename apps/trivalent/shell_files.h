@@ -27,6 +27,8 @@ void add_file_options(po::options_description& options);
 
 /// A network with its coordinations and rings, and its energies and forces where there are any.
 [[nodiscard]] dual::XyzFrame shell_frame(const dual::Network& network);
+/// What a file brought along under the same names is outdated and goes.
+void replace_columns(dual::XyzFrame& frame, std::vector<dual::Column> columns);
 void add_energies(dual::XyzFrame& frame, const potentials::EnergyForces& result);
 
 /// Adds the column `displacement` [Å]: from where the atoms were to where they are.

@@ -70,4 +70,9 @@ Structure read_structure(const std::string& path, const Session& session) {
   return structure;
 }
 
+dual::ShellState state_of(const Structure& structure) {
+  if (structure.network.rings.empty()) return dual::atoms_state("atoms", structure.frame.atoms);
+  return dual::network_state("dual", structure.network);
+}
+
 }  // namespace trivalent::apps

@@ -4,6 +4,7 @@
 
 #include "session.h"
 #include "trivalent/dual/network.h"
+#include "trivalent/dual/shell_state.h"
 #include "trivalent/dual/xyz.h"
 
 namespace trivalent::apps {
@@ -24,5 +25,8 @@ void check_structure_options(const Session& session);
 /// Reads extended XYZ, LAMMPS data, or a mesh, whose dual is meant; tells the terminal what was
 /// left out.
 [[nodiscard]] Structure read_structure(const std::string& path, const Session& session);
+
+/// What is to be seen of a structure; bonds and rings are found unless the input was a mesh.
+[[nodiscard]] dual::ShellState state_of(const Structure& structure);
 
 }  // namespace trivalent::apps

@@ -13,24 +13,6 @@
 namespace trivalent::dual {
 namespace {
 
-// The ends and the middle of ColorBrewer's RdBu, which stays readable without red-green vision.
-constexpr Color blue = {33, 102, 172};
-constexpr Color white = {247, 247, 247};
-constexpr Color red = {178, 24, 43};
-
-Color blend(const Color& from, const Color& to, double fraction) {
-  Color color = {};
-  for (std::size_t i = 0; i < color.size(); ++i) {
-    color[i] = static_cast<std::uint8_t>(std::lround(std::lerp(from[i], to[i], fraction)));
-  }
-  return color;
-}
-
-double percentile(const std::vector<double>& sorted, double fraction) {
-  const double position = fraction * static_cast<double>(sorted.size() - 1);
-  return sorted[static_cast<std::size_t>(std::lround(position))];
-}
-
 void check_map(const Network& network, std::span<const double> energies) {
   if (energies.size() != network.positions.size()) {
     throw InvalidNetwork(concat("write_energy_ply: ", energies.size(), " energies for ",
@@ -48,8 +30,8 @@ void write_header(std::ostream& out, const Network& network, const EnergyPlyOpti
   const ColorScale& scale = options.scale;
   out << "ply\nformat " << (options.kind == PlyKind::text ? "ascii" : "binary_little_endian")
       << " 1.0\n"
-      << "comment energy per atom in eV; blue " << scale.center - scale.half_width << ", white "
-      << scale.center << ", red " << scale.center + scale.half_width << '\n'
+      << "comment energy per atom in eV; blue " << scale.low << ", white " << scale.middle()
+      << ", red " << scale.high << '\n'
       << "element vertex " << network.positions.size() << '\n'
       << "property double x\nproperty double y\nproperty double z\n"
       << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
@@ -126,30 +108,12 @@ void write_faces(std::ostream& out, const Network& network) {
 
 }  // namespace
 
-Color ColorScale::color(double value) const {
-  const double position = std::clamp((value - center) / half_width, -1.0, 1.0);
-  return position < 0.0 ? blend(white, blue, -position) : blend(white, red, position);
-}
-
-ColorScale make_color_scale(std::span<const double> values, double center) {
-  const auto is_finite = [](double value) { return std::isfinite(value); };
-  if (!std::isfinite(center) || !std::all_of(values.begin(), values.end(), is_finite)) {
-    throw InvalidOption("make_color_scale: values and center must be finite");
-  }
-  ColorScale scale = {.center = center};
-  if (values.empty()) return scale;
-  std::vector<double> sorted(values.begin(), values.end());
-  std::sort(sorted.begin(), sorted.end());
-  const double widest =
-      std::max(center - percentile(sorted, 0.02), percentile(sorted, 0.98) - center);
-  // Equal values at the center leave no width; any will do.
-  if (widest > 0.0) scale.half_width = widest;
-  return scale;
-}
-
 void write_energy_ply(std::ostream& out, const Network& network, std::span<const double> energies,
                       const EnergyPlyOptions& options) {
   check_map(network, energies);
+  if (options.scale.colors.size() < 2 || !(options.scale.high > options.scale.low)) {
+    throw InvalidOption("write_energy_ply: the color scale needs two colors and a width");
+  }
   static_cast<void>(check_network(network));
   write_header(out, network, options);
   if (options.kind == PlyKind::text) {

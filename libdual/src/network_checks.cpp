@@ -88,8 +88,13 @@ std::vector<int> coordinations(const Network& network) {
 
 std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Network& network) {
   check_rings(network);
-  std::vector<std::array<int, 3>> sizes(network.positions.size(), {0, 0, 0});
-  for (const auto& ring : network.rings) {
+  return ring_sizes_at_atoms(network.rings, network.positions.size());
+}
+
+std::vector<std::array<int, 3>> ring_sizes_at_atoms(const std::vector<std::vector<int>>& rings,
+                                                    std::size_t n_atoms) {
+  std::vector<std::array<int, 3>> sizes(n_atoms, {0, 0, 0});
+  for (const auto& ring : rings) {
     for (const int atom : ring) {
       const auto free = std::find(sizes[atom].begin(), sizes[atom].end(), 0);
       if (free == sizes[atom].end()) {

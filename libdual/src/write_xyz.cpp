@@ -147,6 +147,12 @@ std::vector<Column> network_columns(const Network& network) {
           {.name = "rings", .values = ring_sizes_at_atoms(network)}};
 }
 
+std::vector<Column> network_columns(const ShellState& state) {
+  const auto& counts = state.find("coordination")->values;
+  return {{.name = "coordination", .values = std::vector<int>(counts.begin(), counts.end())},
+          {.name = "rings", .values = state.rings_at_atoms}};
+}
+
 std::vector<Column> energy_columns(const potentials::EnergyForces& result) {
   return {{.name = "energies", .values = result.energies},
           {.name = "forces", .values = result.forces}};

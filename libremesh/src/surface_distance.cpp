@@ -35,7 +35,7 @@ class DistanceTo {
     tree_.accelerate_distance_queries();
   }
 
-  [[nodiscard]] std::vector<double> operator()(const std::vector<Eigen::Vector3d>& points) const {
+  [[nodiscard]] std::vector<double> operator()(std::span<const Eigen::Vector3d> points) const {
     std::vector<double> distances(points.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
       const Kernel::Point_3 p(points[i].x(), points[i].y(), points[i].z());
@@ -127,6 +127,14 @@ TwoSidedDistance measure_distance(const TriMesh& mesh, const TriMesh& original, 
   }
   return {distance_between(mesh, DistanceTo(original), samples),
           distance_between(original, DistanceTo(mesh), samples), bounding_box(original).diagonal()};
+}
+
+std::vector<double> distances_to_surface(std::span<const Eigen::Vector3d> points,
+                                         const TriMesh& surface) {
+  if (!(surface_area(surface) > 0.0)) {
+    throw InvalidMesh("distances_to_surface: the surface has no face with an area");
+  }
+  return DistanceTo(surface)(points);
 }
 
 }  // namespace trivalent::remesh

@@ -43,6 +43,33 @@ TEST_F(EnergyCommand, WritesAnEnergyMap) {
   EXPECT_NE(content("map.ply").find("property double energy\n"), std::string::npos);
 }
 
+#ifdef TRIVALENT_VTK
+TEST_F(EnergyCommand, WritesMapsThatVtkReads) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.extxyz");
+  for (const std::string input : {"s.off", "s.extxyz"}) {
+    write("result.json", succeed("energy " + input + " -o map.vtp --json").out);
+    const Outcome vtk = shell(TRIVALENT_VTK " map.vtp result.json");
+    EXPECT_EQ(vtk.exit_code, 0) << input << '\n' << vtk.err;
+  }
+}
+#endif
+
+TEST_F(EnergyCommand, FindsTheRingsOfAtomsFromAFile) {
+  succeed("shape sphere s.off --edge 0.3");
+  const auto mesh = succeed("energy s.off -o mesh.ply --json").json();
+  succeed("dual s.off s.data --digits 17");
+  const auto atoms = succeed("energy s.data -o atoms.ply --periodic none --json").json();
+  EXPECT_EQ(atoms["ring_sizes"], mesh["ring_sizes"]);
+  EXPECT_EQ(atoms["coordinations"], mesh["coordinations"]);
+  const auto faces = [&](const std::string& text) {
+    const std::size_t at = text.find("element face ");
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_NE(faces(content("atoms.ply")), "element face 0");
+  EXPECT_EQ(faces(content("atoms.ply")), faces(content("mesh.ply")));
+}
+
 TEST_F(EnergyCommand, EvaluatesADimerUnderLennardJones) {
   write("two.xyz", "2\n\nC 0 0 0\nC 4.0 0 0\n");
   const auto result =

@@ -15,39 +15,8 @@ namespace {
 std::string text_of(const Network& network, const std::vector<double>& energies, PlyKind kind) {
   std::ostringstream out;
   write_energy_ply(out, network, energies,
-                   {.scale = make_color_scale(energies, -7.0), .kind = kind});
+                   {.scale = diverging_scale(energies, -7.0), .kind = kind});
   return out.str();
-}
-
-TEST(ColorScale, IsWhiteAtTheCenterAndMonotonousToBothSides) {
-  const ColorScale scale = {.center = -7.0, .half_width = 0.5};
-  EXPECT_EQ(scale.color(-7.0), (Color{247, 247, 247}));
-  EXPECT_GT(scale.color(-7.3)[2], scale.color(-7.3)[0]);  // blue below
-  EXPECT_GT(scale.color(-6.7)[0], scale.color(-6.7)[2]);  // red above
-  EXPECT_GT(scale.color(-6.9)[1], scale.color(-6.8)[1]);
-  EXPECT_EQ(scale.color(0.0), scale.color(-6.5));
-  EXPECT_EQ(scale.color(-100.0), scale.color(-7.5));
-}
-
-TEST(MakeColorScale, IgnoresAFewOutliers) {
-  std::vector<double> energies(1000, -7.0);
-  energies[5] = 1e6;
-  energies[6] = -6.0;
-  for (int i = 100; i < 200; ++i) energies[i] = -6.8;
-  const ColorScale scale = make_color_scale(energies, -7.4);
-  EXPECT_EQ(scale.center, -7.4);
-  EXPECT_NEAR(scale.half_width, 0.6, 1e-12);
-}
-
-TEST(MakeColorScale, HasAWidthForEqualValues) {
-  EXPECT_GT(make_color_scale(std::vector<double>{-7.0, -7.0}, -7.0).half_width, 0.0);
-  EXPECT_GT(make_color_scale({}, -7.0).half_width, 0.0);
-}
-
-TEST(MakeColorScale, ThrowsOnValuesThatAreNotFinite) {
-  EXPECT_THROW(static_cast<void>(make_color_scale(std::vector<double>{NAN}, 0.0)), InvalidOption);
-  EXPECT_THROW(static_cast<void>(make_color_scale(std::vector<double>{1.0}, HUGE_VAL)),
-               InvalidOption);
 }
 
 TEST(WriteEnergyPly, DeclaresWhatItHolds) {
@@ -80,6 +49,7 @@ TEST(WriteEnergyPly, ThrowsOnEnergiesThatDoNotFit) {
   EXPECT_THROW(text_of(network, std::vector<double>(19, -7.0), PlyKind::text), InvalidNetwork);
   std::ostringstream out;
   EXPECT_THROW(write_energy_ply(out, network, std::vector<double>(20, NAN), {}), InvalidNetwork);
+  EXPECT_THROW(write_energy_ply(out, network, std::vector<double>(20, -7.0), {}), InvalidOption);
 }
 
 TEST(WriteEnergyPly, ThrowsWhereNoFileCanBe) {

@@ -46,4 +46,8 @@ struct NetworkReport {
 /// @throws InvalidNetwork as check_network, or if an atom lies in more than three rings.
 [[nodiscard]] std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Network& network);
 
+/// The same for rings of n_atoms atoms, all of which must exist.
+[[nodiscard]] std::vector<std::array<int, 3>> ring_sizes_at_atoms(
+    const std::vector<std::vector<int>>& rings, std::size_t n_atoms);
+
 }  // namespace trivalent::dual

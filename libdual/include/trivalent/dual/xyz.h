@@ -11,6 +11,7 @@
 #include "trivalent/dual/digits.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/network.h"
+#include "trivalent/dual/shell_state.h"
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
 
@@ -41,6 +42,9 @@ struct XyzFrame {
 /// coordination (bonds of every atom) and rings (sizes of the three rings around it, largest first,
 /// 0 for a ring that the edge of an open network has cut).
 [[nodiscard]] std::vector<Column> network_columns(const Network& network);
+
+/// The same of a state.
+[[nodiscard]] std::vector<Column> network_columns(const ShellState& state);
 
 /// energies [eV] and forces [eV/Å], under the names by which ASE knows them.
 [[nodiscard]] std::vector<Column> energy_columns(const potentials::EnergyForces& result);

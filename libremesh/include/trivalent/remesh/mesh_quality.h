@@ -2,6 +2,8 @@
 
 #include <array>
 #include <map>
+#include <span>
+#include <vector>
 
 #include "trivalent/remesh/mesh.h"
 
@@ -58,5 +60,11 @@ struct TwoSidedDistance {
 /// @throws InvalidOption if samples < 1.
 [[nodiscard]] TwoSidedDistance measure_distance(const TriMesh& mesh, const TriMesh& original,
                                                 int samples = 200000);
+
+/// Distance of every point to the surface, in their common unit.
+///
+/// @throws InvalidMesh if no face of the surface has an area.
+[[nodiscard]] std::vector<double> distances_to_surface(std::span<const Eigen::Vector3d> points,
+                                                       const TriMesh& surface);
 
 }  // namespace trivalent::remesh

@@ -1,0 +1,88 @@
+#include <filesystem>
+
+#include "command.h"
+#include "files.h"
+#include "report_page.h"
+#include "session.h"
+#include "states.h"
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/shell_page.h"
+
+namespace trivalent::apps {
+namespace {
+
+constexpr std::array<std::string_view, 1> page_extensions = {".html"};
+
+Grammar grammar_of_view() {
+  Grammar grammar = {.arguments = {}, .options = po::options_description("Options")};
+  grammar.options.add_options()  //
+      ("output,o", po::value<std::string>(), "the page, .html; must be given")(
+          "title", po::value<std::string>(),
+          "heading of the page; default: the name of the last file")(
+          "surface", po::value<std::string>(), "mesh file to be shown as a ghost, in Å");
+  add_states_options(grammar);
+  return grammar;
+}
+
+std::vector<dual::PageRow> energy_rows(const std::vector<dual::ShellState>& states) {
+  std::vector<dual::PageRow> rows;
+  for (const dual::ShellState& state : states) {
+    const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
+    rows.push_back({state.name});
+    rows.push_back({"atoms", std::to_string(state.atoms.size())});
+    rows.push_back({"energy", decimals(summary.total, 6) + " eV"});
+    rows.push_back({"per atom", decimals(summary.mean, 6) + " eV"});
+    rows.push_back({"lowest, highest",
+                    decimals(summary.lowest, 4) + ", " + decimals(summary.highest, 4) + " eV"});
+  }
+  return rows;
+}
+
+Result describe(const std::vector<dual::ShellState>& states, const std::filesystem::path& page) {
+  const auto bytes = std::filesystem::file_size(page);
+  Result result = {.table = {},
+                   .json = {{"page", page.string()}, {"bytes", bytes}, {"states", Json::array()}}};
+  for (const dual::ShellState& state : states) {
+    const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
+    result.table.push_back({state.name, std::to_string(state.atoms.size()) + " atoms, mean " +
+                                            decimals(summary.mean, 4) + " eV"});
+    result.json["states"].push_back({{"name", state.name},
+                                     {"atoms", state.atoms.size()},
+                                     {"energy", summary.total},
+                                     {"highest", summary.highest}});
+  }
+  result.json["scale"] = scale_json(states.back().find("energy")->scale);
+  result.table.push_back(
+      {"page", page.string() + ", " + decimals(1e-6 * static_cast<double>(bytes), 2) + " MB"});
+  return result;
+}
+
+int run(const Command& self, std::span<const std::string> arguments) {
+  const auto session = start(self, arguments, grammar_of_view());
+  if (!session) return done;
+  if (!session->has("output")) throw UsageError("-o must say where the page goes");
+  const std::filesystem::path output = session->get<std::string>("output");
+  check_output(output, page_extensions);
+  check_states_options(*session);
+
+  dual::ShellPage page = {.title = {}, .states = read_states(*session)};
+  page.title = session->find<std::string>("title").value_or(page.states.back().name);
+  if (const auto surface = session->find<std::string>("surface")) {
+    page.surface = read_mesh_file(*surface, session->terminal);
+  }
+  page.results = energy_rows(page.states);
+  page.parameters = {{"potential", session->get<std::string>("potential")}};
+  write_page(output, page);
+  session->terminal.print(describe(page.states, output));
+  return done;
+}
+
+}  // namespace
+
+const Command view_command = {
+    .name = "view",
+    .synopsis = "FILE... -o PAGE.html [--potential rebo|airebo|lj] [options]",
+    .meaning = "Writes a page that shows atoms in 3D, colored by energy and more",
+    .run = run};
+
+}  // namespace trivalent::apps

@@ -1,0 +1,123 @@
+#include "trivalent/dual/bonding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "small_meshes.h"
+#include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/dual_size.h"
+#include "trivalent/dual/graphene.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/potentials/rebo.h"
+
+namespace trivalent::dual {
+namespace {
+
+/// A ring in the same words wherever it begins and whichever way it runs.
+std::vector<int> sorted(std::vector<int> ring) {
+  std::sort(ring.begin(), ring.end());
+  return ring;
+}
+
+std::vector<std::vector<int>> as_sets(const std::vector<std::vector<int>>& rings) {
+  std::vector<std::vector<int>> sets;
+  for (const auto& ring : rings) sets.push_back(sorted(ring));
+  std::sort(sets.begin(), sets.end());
+  return sets;
+}
+
+std::vector<std::vector<int>> found_sets(const Bonding& bonding) {
+  std::vector<std::vector<int>> rings;
+  for (const Ring& ring : find_rings(bonding)) rings.push_back(ring.atoms);
+  return as_sets(rings);
+}
+
+remesh::TriMesh with_bond(remesh::TriMesh mesh) {
+  remesh::scale(mesh, scale_for_size(mesh, MeanBond{1.42}));
+  return mesh;
+}
+
+TEST(FindRings, GivesTheDualOfAMeshItsRingsBack) {
+  for (const remesh::TriMesh& mesh : {testing_support::icosahedron(), testing_support::torus(24, 9),
+                                      testing_support::flat_sheet(7, 5, 2.46)}) {
+    const Network network = build_dual(mesh);
+    EXPECT_EQ(found_sets(bonding_of(network)), as_sets(network.rings));
+  }
+}
+
+TEST(FindRings, SeesOddRingsAmongHexagons) {
+  // A flipped edge of a flat sheet is a Stone-Wales defect: two pentagons, two heptagons.
+  remesh::TriMesh mesh = testing_support::flat_sheet(8, 8, 2.46);
+  for (const auto edge : mesh.edges()) {
+    const auto across = [](const auto& half) { return half.next().to().valence() == 6; };
+    const bool is_inside = edge.v0().valence() == 6 && edge.v1().valence() == 6 &&
+                           across(edge.h0()) && across(edge.h1());
+    if (!is_inside) continue;
+    mesh.flip(edge);
+    break;
+  }
+  const Network network = build_dual(mesh);
+  const auto sizes = check_network(network).ring_sizes;
+  ASSERT_EQ(sizes.at(5), 2);
+  ASSERT_EQ(sizes.at(7), 2);
+  EXPECT_EQ(found_sets(bonding_of(network)), as_sets(network.rings));
+}
+
+TEST(FindRings, LeavesAtomsOfFourBondsOut) {
+  // A cube whose corner 0 has a fourth bond: the three faces away from it remain.
+  Network cube;
+  for (int i = 0; i < 8; ++i) cube.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  for (int i = 0; i < 8; ++i) {
+    for (const int bit : {1, 2, 4}) {
+      if ((i & bit) == 0) cube.bonds.push_back({i, i | bit});
+    }
+  }
+  EXPECT_EQ(find_rings(bonding_of(cube)).size(), 6u);
+  cube.positions.emplace_back(-1, -1, -1);
+  cube.bonds.push_back({0, 8});
+  const auto rings = find_rings(bonding_of(cube));
+  for (const Ring& ring : rings) {
+    EXPECT_EQ(std::count(ring.atoms.begin(), ring.atoms.end(), 0), 0);
+  }
+  EXPECT_GE(rings.size(), 3u);
+}
+
+TEST(FindRings, CountsRingsAcrossPeriodicBoundaries) {
+  // Four atoms and two rings a cell; every ring leaves a cell this small.
+  const auto bonding = find_bonding(graphene_cell());
+  EXPECT_EQ(coordinations(bonding), std::vector<int>(4, 3));
+  const auto rings = find_rings(bonding);
+  ASSERT_EQ(rings.size(), 2u);
+  for (const Ring& ring : rings) {
+    EXPECT_EQ(ring.atoms.size(), 6u);
+    EXPECT_TRUE(ring.crosses_boundary);
+  }
+  EXPECT_TRUE(drawable_network(graphene_cell(), bonding, rings).rings.empty());
+}
+
+TEST(FindBonding, FindsTheBondsOfAShell) {
+  const Network network = build_dual(with_bond(testing_support::icosahedron()));
+  const Bonding found = find_bonding(carbon_atoms(network));
+  EXPECT_EQ(coordinations(found), coordinations(network));
+}
+
+TEST(FindBonding, ThinksSmallerOfHydrogen) {
+  using potentials::Species;
+  potentials::Atoms atoms = {.positions = {{0, 0, 0}, {1.6, 0, 0}, {0, 1.5, 0}},
+                             .species = {Species::carbon, Species::carbon, Species::hydrogen},
+                             .box = {}};
+  EXPECT_EQ(coordinations(find_bonding(atoms)), (std::vector<int>{2, 1, 1}));
+  atoms.species[1] = Species::hydrogen;
+  EXPECT_EQ(coordinations(find_bonding(atoms)), (std::vector<int>{1, 0, 1}));
+}
+
+TEST(GrapheneCell, HasGraphenesEnergy) {
+  constexpr double published = -7.394997;  // LAMMPS, pair_style rebo, relaxed
+  EXPECT_NEAR(potentials::rebo(graphene_cell()).energy / 4.0, published, 1e-6);
+}
+
+}  // namespace
+}  // namespace trivalent::dual
