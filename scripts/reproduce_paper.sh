@@ -39,7 +39,7 @@ def model(name):
 def compare(label, options, paper, path, m):
     mean, deviation, vertices, regular = paper
     paper_cv = 100 * deviation / mean
-    quality = run('remesh', path, f'{results}/last.off', '--edge', repr(m), *options)['quality']
+    quality = run('remesh', path, f'{results}/last.off', '--edge', repr(m), '--method', 'paper', *options)['quality']
     edge = quality['edge_length']
     cv, six = 100 * edge['relative_spread'], 100 * quality['regular_fraction']
     holds = cv <= paper_cv and six >= regular and abs(edge['mean'] / m - 1) <= 0.02
@@ -70,7 +70,8 @@ print('Figures 4 and 5: rocker-arm, sigma 0.2, k = 2, n = 30')
 if rocker := model('rocker-arm-x50.off'):
     euler = run('inspect', rocker)['quality']['euler_characteristic']
     for m in (0.3, 0.5, 0.8, 1.2, 1.6):
-        result = run('remesh', rocker, f'{results}/rocker-arm-{m}.off', '--edge', m, '--iterations', 30)
+        result = run('remesh', rocker, f'{results}/rocker-arm-{m}.off', '--edge', m,
+                     '--method', 'paper', '--iterations', 30)
         quality, distance = result['quality'], result['distance']
         genus = 'kept' if quality['euler_characteristic'] == euler else 'CHANGED'
         print(f'  m = {m}   {quality["vertices"]:6d} V, genus {genus}, {quality["self_intersections"]} self-intersections,'

@@ -24,8 +24,8 @@ SEEDS = {
     'stl': ['solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n'],
     'xyz': ['2\n0 0 0 0 0 1\n1 0 0 0 0 1 # last\n'],
     'atoms': ['2\nenergy=1 pbc="F F F"\nC 0 0 0\nH 0 0 1.1\n'],
-    'options': ['sphere:radius=2\n--rings\n1\n--sigma=0.4\n', '--method\npaper\n-\n--seed=fill\n--json\n',
-                'a.off\n--restriction\nleast-squares\n--iterations\n3\n--feature-angle\n40\n--quiet\n'],
+    'options': ['sphere:radius=2\n--method\npaper\n--rings\n1\n--sigma=0.4\n', '--method\ncrystal\n-\n--effort=quick\n--seed=3\n--json\n',
+                'a.off\n--method\npaper\n--restriction\nleast-squares\n--iterations\n3\n--feature-angle\n40\n--quiet\n'],
     'repair': ['\1\0\2\6\0\2\7\2\6\0', '\0' + ''.join(chr(k) for k in range(54))],
 }
 SHAPES = ['sphere', 'torus', 'open-tube']

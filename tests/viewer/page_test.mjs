@@ -60,7 +60,7 @@ function icosahedron() {
 
 const textOf = (page, selector) => page.locator(selector).innerText();
 
-trivalent('build', 'double-torus', '--atoms', '20000', '-o', 'shell', '--iterations', '8', '--digits', '17');
+trivalent('build', 'double-torus', '--atoms', '20000', '-o', 'shell', '--method', 'paper', '--iterations', '8', '--digits', '17');
 const report = json(readFileSync(at('shell/report.json'), 'utf8'));
 
 await test('a report of 20,000 atoms', async () => {
@@ -175,7 +175,7 @@ await test('a narrow screen', async () => {
 await test('small, open, periodic and hydrogenated atoms', async () => {
   trivalent('shape', 'sphere', 'ball.off', '--edge', '0.3');
   writeFileSync(at('C20.off'), icosahedron());
-  trivalent('build', 'wavy-sheet', '--atoms', '1500', '-o', 'open');
+  trivalent('build', 'wavy-sheet', '--atoms', '1500', '--effort', 'quick', '-o', 'open');
   writeFileSync(at('methane.xyz'), '5\n\nC 0 0 0\nH .63 .63 .63\nH -.63 -.63 .63\nH -.63 .63 -.63\nH .63 -.63 -.63\n');
   writeFileSync(at('one.xyz'), '1\n\nC 0 0 0\n');
   writeFileSync(at('graphene.extxyz'), '4\nLattice="2.46 0 0 0 4.26 0 0 0 20" Properties=species:S:1:pos:R:3 pbc="T T F"\n'
@@ -195,7 +195,7 @@ await test('names that look like HTML are text', async () => {
   const title = "</script><script>document.title='owned'</script><!--";
   trivalent('shape', 'sphere', 'plain.off', '--edge', '0.5');
   writeFileSync(at(name), readFileSync(at('plain.off')));
-  trivalent('build', name, '--atoms', '200', '-o', 'named');
+  trivalent('build', name, '--atoms', '200', '--effort', 'quick', '-o', 'named');
   trivalent('view', name, 'plain.off', '-o', 'titled.html', '--title', title);
   for (const [path, heading] of [['named/report.html', name], ['titled.html', title]]) {
     const opened = await openPage(browser, at(path));

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Crystal nets of real meshes: quality, distance, energy above graphene after relaxation, seconds and
+# peak memory, each beside the paper's method in the same run.
+#
+#   scripts/bench_crystal.sh [MESH EDGE]...    default: meshes of Debian's libcgal-demo
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+program=$PWD/build/release/bin/trivalent
+meshes=$PWD/build/release/data/meshes
+[[ $# -gt 0 ]] || set -- "$meshes/bunny00.off" 0.01648791 "$meshes/knot2.off" 0.01394955 \
+  "$meshes/elephant.off" 0.01198981 "$meshes/fandisk.off" 0.0159602
+mkdir -p results/crystal
+
+python3 - "$program" results/crystal "$@" <<'END'
+import json
+import os
+import subprocess
+import sys
+import time
+
+program, results, *jobs = sys.argv[1:]
+
+
+def run(*arguments):
+    start = time.time()
+    process = subprocess.Popen([program, *map(str, arguments), '--json', '--quiet'], stdout=subprocess.PIPE)
+    out = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        sys.exit(f'{" ".join(map(str, arguments))} failed')
+    return json.loads(out), time.time() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+print('mesh                  method      V  valence 6    CV     mean/m  crossings  rms dist  relaxed excess   broken'
+      '      s  (CPU s)   MiB')
+for mesh, edge in zip(jobs[::2], jobs[1::2]):
+    name = os.path.splitext(os.path.basename(mesh))[0]
+    for method in ('paper', 'crystal'):
+        net, relaxed = f'{results}/{name}.{method}.off', f'{results}/{name}.{method}.extxyz'
+        result, seconds, cpu, memory = run('remesh', mesh, net, '--edge', edge, '--method', method)
+        rest = run('relax', net, '-o', relaxed)[0]
+        quality, edges = result['quality'], result['quality']['edge_length']
+        print(f'{name:20}  {method:8} {quality["vertices"]:5d}    {100 * quality["regular_fraction"]:5.2f} %'
+              f'  {100 * edges["relative_spread"]:5.2f} %  {edges["mean"] / float(edge):.4f}'
+              f'  {quality["self_intersections"]:9d}  {100 * result["distance"]["rms_of_diagonal"]:6.3f} %'
+              f'  {1000 * rest["excess_per_atom"]:8.2f} meV/atom  {len(rest["relaxation"]["bonds_broken"]):6d}'
+              f'  {seconds:5.1f}  {cpu:7.1f}  {memory:5.0f}', flush=True)
+END
