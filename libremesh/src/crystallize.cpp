@@ -8,6 +8,7 @@
 #include "sliding.h"
 #include "spring_relaxation.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
 
@@ -45,8 +46,9 @@ constexpr int opening_sweeps = 60;   // before they move
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int fewest_coarse_vertices = 150;
 
-/// Whether every face looks about where the surface does at its corners: the net sees the shape.
-bool follows_surface(const Net& net) {
+/// Whether the net sees the shape: faces look about where the surface does at their corners, and no
+/// thin part is crossed by its own other side. What starts crossed stays crossed.
+bool is_sound(const Net& net) {
   constexpr double least_cosine = 0.25;
   constexpr double most_astray = 0.003;  // of the faces: a sharp tip may be cut off
   int astray = 0;
@@ -56,7 +58,8 @@ bool follows_surface(const Net& net) {
     for (const auto v : f.vertices()) there += net.on_surface.normal(v);
     if (normal.dot(there) < least_cosine * there.norm()) ++astray;
   }
-  return astray <= most_astray * static_cast<double>(net.mesh.n_faces());
+  return astray <= most_astray * static_cast<double>(net.mesh.n_faces()) &&
+         measure_quality(net.mesh).self_intersections == 0;
 }
 
 /// Chords of a coarse net cut the surface's area: divided onto the surface, its edges come out too
@@ -123,7 +126,7 @@ class Crystallization {
     }
     std::unique_ptr<Net> net = first_net(length);
     relax_springs(net->on_surface, length, opening_sweeps);
-    return follows_surface(*net) ? std::move(net) : nullptr;
+    return is_sound(*net) ? std::move(net) : nullptr;
   }
 
   [[nodiscard]] int rounds_of(const Stage& stage) const {
