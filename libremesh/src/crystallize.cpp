@@ -46,6 +46,8 @@ constexpr int opening_sweeps = 60;   // before they move
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int fewest_coarse_vertices = 150;
 
+int crossings(const TriMesh& mesh) { return measure_quality(mesh).self_intersections; }
+
 /// Whether the net sees the shape: faces look about where the surface does at their corners, and no
 /// thin part is crossed by its own other side. What starts crossed stays crossed.
 bool is_sound(const Net& net) {
@@ -59,7 +61,7 @@ bool is_sound(const Net& net) {
     if (normal.dot(there) < least_cosine * there.norm()) ++astray;
   }
   return astray <= most_astray * static_cast<double>(net.mesh.n_faces()) &&
-         measure_quality(net.mesh).self_intersections == 0;
+         crossings(net.mesh) == 0;
 }
 
 /// Chords of a coarse net cut the surface's area: divided onto the surface, its edges come out too
@@ -75,21 +77,15 @@ class Crystallization {
       : surface_(surface), options_(options), area_(surface_area(surface)) {}
 
   RemeshResult run() {
-    const double m = options_.target_edge_length;
-    check_remeshable(surface_, paper_options(m));
-    std::unique_ptr<Net> net = coarse_net();
-    if (net) {
-      rounds_ = rounds_of(coarse_stage) + rounds_of(fine_stage);
-      anneal_net(*net, 2.0 * m * chord_factor(*net, area_), coarse_stage);
-      net->on_surface.subdivide();
-      anneal_net(*net, m, fine_stage);
-    } else {
-      net = first_net(m);
-      rounds_ = rounds_of(only_stage);
-      anneal_net(*net, m, only_stage);
+    check_remeshable(surface_, paper_options(options_.target_edge_length));
+    std::unique_ptr<Net> net = from_coarse_net();
+    if (!net) {
+      net = from_fine_net();
+    } else if (!stopped_ && crossings(net->mesh) > crossings(surface_)) {
+      // Some thin part was still too thin for the coarse net.
+      std::unique_ptr<Net> other = from_fine_net();
+      if (crossings(other->mesh) < crossings(net->mesh)) net = std::move(other);
     }
-    relax_springs(net->on_surface, m, closing_sweeps);
-    straddle_surface(net->on_surface);
     const RemeshProgress state = measure_progress(net->mesh);
     RemeshResult result;
     result.mesh = std::move(net->mesh);
@@ -105,6 +101,32 @@ class Crystallization {
     return {.target_edge_length = length,
             .iterations = first_iterations,
             .feature_angle = options_.feature_angle};
+  }
+
+  /// Null if there is no coarse net.
+  std::unique_ptr<Net> from_coarse_net() {
+    const double m = options_.target_edge_length;
+    std::unique_ptr<Net> net = coarse_net();
+    if (!net) return nullptr;
+    rounds_ += rounds_of(coarse_stage) + rounds_of(fine_stage);
+    anneal_net(*net, 2.0 * m * chord_factor(*net, area_), coarse_stage);
+    net->on_surface.subdivide();
+    anneal_net(*net, m, fine_stage);
+    finish(*net);
+    return net;
+  }
+
+  std::unique_ptr<Net> from_fine_net() {
+    std::unique_ptr<Net> net = first_net(options_.target_edge_length);
+    rounds_ += rounds_of(only_stage);
+    anneal_net(*net, options_.target_edge_length, only_stage);
+    finish(*net);
+    return net;
+  }
+
+  void finish(Net& net) const {
+    relax_springs(net.on_surface, options_.target_edge_length, closing_sweeps);
+    straddle_surface(net.on_surface);
   }
 
   /// The surface remeshed by the paper's loop.

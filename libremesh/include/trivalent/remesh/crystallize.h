@@ -32,15 +32,15 @@ struct CrystalOptions {
 /// simulated annealing [Kirkpatrick1983] of its defects.
 ///
 /// 1. The surface is remeshed by remesh(), at twice the target length if the surface is thick
-/// enough
-///    to be seen that coarsely.
+///    enough to be seen that coarsely.
 /// 2. Defects are annealed: a patch of the net around an irregular vertex is cut out; every flip
 ///    (glide), collapse and split (climb) at that vertex is tried in it and relaxed; one of them,
 ///    or none, is taken with the probabilities of a heat bath. The energy is that of springs, Σ
 ///    (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain by
 ///    buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel.
 /// 3. Every face is divided into four, which keeps the defects as few, and the net is annealed
-///    again, colder, until it has the target length.
+///    again, colder, at the target length. If thin parts of it cross themselves, the search begins
+///    anew at the target length, and the net with fewer crossings is taken.
 ///
 /// Genus, orientation, boundaries and creases of the input are kept, as by remesh(). The result
 /// depends on the seed, not on the number of threads.
