@@ -247,8 +247,8 @@ const LaneMasks lane_masks;
 
 void NetPatch::relax(double length, int sweeps, int reach) {
   const auto rest = static_cast<float>(length);
-  const float longest_step = 0.25F * rest;
-  constexpr float over = 1.4F;
+  const float longest_step = static_cast<float>(longest_spring_step) * rest;
+  constexpr auto over = static_cast<float>(spring_overrelaxation);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (int i = 0; i < count_; ++i) {
       if (i == reach && vertex_[at(i)].is_valid()) {
