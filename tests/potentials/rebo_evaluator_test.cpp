@@ -157,6 +157,34 @@ TEST(Rebo, FollowsMovingAtomsAsIfNeighborsWereAlwaysNew) {
   }
 }
 
+// Sheets of several tiles, clean at first. Within half the skin some atoms tear their bonds and
+// come back, elsewhere at every step.
+TEST(Rebo, FollowsDefectsThatComeAndGo) {
+  Atoms sheet = graphene(40, 30, 1.62);
+  displace(sheet, 0.01, 1);
+  Rebo potential({.skin = 0.3});
+  for (std::size_t step = 0; step < 12; ++step) {
+    Atoms atoms = sheet;
+    for (std::size_t k = 0; k < step % 4; ++k) {
+      atoms.positions[(step * 977 + k * 1511) % atoms.size()] += Eigen::Vector3d(0.1, 0.09, 0.0);
+    }
+    expect_same(potential.evaluate(atoms), plain(atoms));
+  }
+}
+
+TEST(ReboEvaluator, AgreesWithThePlainOneWhereTilesMeetDefects) {
+  for (std::size_t seed = 0; seed < 6; ++seed) {
+    Atoms atoms = graphene(40, 30, 1.42);
+    displace(atoms, 0.05, static_cast<unsigned>(seed));
+    const std::size_t place = seed * 797 % atoms.size();
+    atoms.positions.emplace_back(atoms.positions[place] + Eigen::Vector3d(0.1, 0.2, 1.5));
+    atoms.species.push_back(seed % 2 == 0 ? Species::carbon : Species::hydrogen);
+    Rebo potential;
+    expect_same(potential.evaluate(atoms), plain(atoms));
+    expect_same(potential.evaluate(atoms), plain(atoms));
+  }
+}
+
 TEST(Rebo, FollowsAtomsThatChangeTheirKindNumberOrBox) {
   Rebo potential;
   Atoms atoms = graphene(3, 2, 1.42);

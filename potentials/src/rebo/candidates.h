@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -26,6 +27,10 @@ struct Candidates {
   /// The atom that a point is or is an image of.
   [[nodiscard]] std::uint32_t home(std::uint32_t place) const {
     return place < order.size() ? place : images[place - order.size()].home;
+  }
+
+  [[nodiscard]] std::size_t tile_of(std::uint32_t atom) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(tiles, atom) - tiles.begin() - 1);
   }
 
   struct Image {

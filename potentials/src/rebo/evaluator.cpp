@@ -2,18 +2,19 @@
 
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "parallel.h"
 #include "rebo/cutoff.h"
+#include "rebo/prefetch.h"
+#include "rebo/regular_atom.h"
 #include "validation.h"
 
 namespace trivalent::potentials::rebo_detail {
 
 namespace {
 
-constexpr std::uint32_t prefetched_atoms = 32;  // at a time; a multiple of all kernels' batches
+constexpr std::uint32_t results_ahead = 32;  // atoms between asking for a result's place and use
 
 [[nodiscard]] CleanParameters clean_parameters(const Parameters& parameters) {
   const BondParameters& bond = parameters.bond(Species::carbon, Species::carbon);
@@ -38,21 +39,12 @@ template <typename T>
   return std::unique_ptr<T[]>(new T[count]);  // make_unique would write to all of it
 }
 
-// Asks for an array in good time; count may be zero.
-template <typename T>
-void prefetch(const T* begin, std::size_t count) {
-  constexpr std::size_t cache_line = 64;
-  const char* bytes = reinterpret_cast<const char*>(begin);
-  for (std::size_t k = 0; k < count * sizeof(T); k += cache_line) __builtin_prefetch(bytes + k);
+// Tiles that are in one or the other.
+[[nodiscard]] std::vector<std::uint8_t> united(std::vector<std::uint8_t> tiles,
+                                               const std::vector<std::uint8_t>& others) {
+  for (std::size_t tile = 0; tile < others.size(); ++tile) tiles[tile] |= others[tile];
+  return tiles;
 }
-
-struct Largest {
-  double value = 0.0;
-  Largest& operator+=(const Largest& other) {
-    value = std::max(value, other.value);
-    return *this;
-  }
-};
 
 }  // namespace
 
@@ -63,25 +55,90 @@ Evaluator::Evaluator(const Parameters& parameters, double skin, CleanKernel kern
       skin_(skin) {}
 
 const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
-  bool is_current = candidates_ && is_same_system(atoms);
-  if (is_current) {
-    moved_ += copy_positions(atoms);
-    is_current = moved_ <= 0.5 * skin_;
+  const bool is_current = candidates_ && is_same_system(atoms) && evaluate_tiles(atoms);
+  if (!is_current) {
+    start(atoms);
+    (void)evaluate_tiles(atoms);  // nothing has moved since
   }
-  if (!is_current) start(atoms);
-  place_images();
-  classify();
-
   const std::size_t tiles = candidates_->tile_count();
-  auto totals = sum_over_parts<Totals>(tiles, [&](std::size_t t) { return evaluate_tile(t); });
   for_each_part(tiles, [&](std::size_t t) { import_crossings(t); });
   // Only irregular atoms have bonds whose cutoff has a slope.
   for_each_part(tiles, [&](std::size_t t) { add_coordination_slopes_of_neighbors(t); });
-  totals += sum_over_parts<Totals>(tiles, [&](std::size_t t) { return add_forces_of_cutoffs(t); });
+  auto totals =
+      sum_over_parts<Totals>(tiles, [&](std::size_t t) { return add_forces_of_cutoffs(t); });
+  for (const Totals& of_tile : totals_) totals += of_tile;
   result_.energy = totals.energy;
   // Only the sum over all atoms is symmetric, since two atoms share the terms of a bond.
   result_.virial = totals.virial.selfadjointView<Eigen::Upper>();
   return result_;
+}
+
+// All that atoms do to their links; false if one has moved too far for that.
+bool Evaluator::evaluate_tiles(const Atoms& atoms) {
+  return evaluate_clean_tiles(atoms) && evaluate_general_tiles(atoms);
+}
+
+// Tiles that turn out not to be clean are left to the general way, from now on.
+bool Evaluator::evaluate_clean_tiles(const Atoms& atoms) {
+  std::atomic<bool> has_moved = false;
+  for_each_part(candidates_->tile_count(), [&](std::size_t tile) {
+    if (is_general_[tile] != 0) return;
+    Workspace& workspace = workspaces_.local();
+    const CleanTiles::Task task = {.atoms = atoms,
+                                   .tile = tile,
+                                   .most_moved = 0.5 * skin_,
+                                   .parameters = clean_parameters_,
+                                   .kernel = clean_kernel_};
+    switch (clean_tiles_->evaluate(task, workspace.clean, workspace.slopes)) {
+      case CleanTiles::Outcome::moved:
+        has_moved = true;
+        break;
+      case CleanTiles::Outcome::not_clean:
+        is_general_[tile] = 1;
+        break;
+      case CleanTiles::Outcome::evaluated:
+        totals_[tile] = gather(tile, workspace.slopes);
+        export_crossings(tile, workspace.slopes);
+    }
+  });
+  return !has_moved;
+}
+
+bool Evaluator::evaluate_general_tiles(const Atoms& atoms) {
+  for (std::vector<std::uint32_t>& irregular : irregular_) irregular.clear();
+  const auto is_set = [](std::uint8_t flag) { return flag != 0; };
+  if (std::ranges::none_of(is_general_, is_set)) return true;
+  TileFlags evaluated = is_general_;
+  TileFlags irregular(evaluated.size());
+  do {
+    evaluated = united(evaluated, irregular);
+    // Terms reach two links far, and whether an atom there is regular depends on one link more.
+    const TileFlags classified = and_near(and_near(evaluated));
+    if (!place(atoms, and_near(classified))) return false;
+    classify(classified);
+    irregular = irregular_tiles();
+  } while (united(evaluated, irregular) != evaluated);  // rounding of images: hardly ever
+  is_general_ = and_near(irregular);
+  evaluated = united(evaluated, is_general_);
+  for_each_part(candidates_->tile_count(), [&](std::size_t tile) {
+    if (evaluated[tile] != 0) totals_[tile] = evaluate_tile(tile);
+  });
+  return true;
+}
+
+Evaluator::TileFlags Evaluator::and_near(const TileFlags& tiles) const {
+  TileFlags result(tiles.size());
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+    if (tiles[tile] == 0) continue;
+    for (const std::uint32_t near : clean_tiles_->patch(tile).near) result[near] = 1;
+  }
+  return result;
+}
+
+Evaluator::TileFlags Evaluator::irregular_tiles() const {
+  TileFlags result(irregular_.size());
+  for (std::size_t tile = 0; tile < result.size(); ++tile) result[tile] = !irregular_[tile].empty();
+  return result;
 }
 
 bool Evaluator::is_same_system(const Atoms& atoms) const {
@@ -91,19 +148,24 @@ bool Evaluator::is_same_system(const Atoms& atoms) const {
 
 void Evaluator::start(const Atoms& atoms) {
   require_valid(atoms, "rebo");
+  clean_tiles_.reset();
   candidates_.reset();
   candidates_.emplace(atoms, skin_);
+  clean_tiles_.emplace(atoms, *candidates_,
+                       parameters_.bond(Species::carbon, Species::carbon).cutoff);
   box_ = atoms.box;
-  moved_ = 0.0;
   image_homes_.clear();
   for (const Candidates::Image& image : candidates_->images) image_homes_.push_back(image.home);
 
   const std::size_t n = atoms.size();
   const std::size_t links = candidates_->point.size();
-  irregular_.resize(candidates_->tile_count());
+  const std::size_t tiles = candidates_->tile_count();
+  is_general_.assign(tiles, 0);
+  totals_.assign(tiles, {});
+  irregular_.assign(tiles, {});
   positions_ = without_values<double>(4 * candidates_->point_count());
-  std::fill_n(positions_.get(), 4 * candidates_->point_count(), 0.0);
   states_ = without_values<std::uint8_t>(n);
+  std::fill_n(states_.get(), n, std::uint8_t{0});
   bonded_ = without_values<std::uint32_t>(n);
   coordinations_ = without_values<Coordination>(n);
   exports_ = without_values<Eigen::Vector4d>(candidates_->crossings.size());
@@ -112,40 +174,35 @@ void Evaluator::start(const Atoms& atoms) {
   coordination_slopes_ = without_values<Coordination>(n);
   result_.energies.resize(n);
   result_.forces.resize(n);
-  (void)copy_positions(atoms);
 }
 
-// Returns how far the atom that went farthest is from where it was at the last call; infinitely far
-// if an atom became another element or is nowhere.
-double Evaluator::copy_positions(const Atoms& atoms) {
+// Copies the positions of some tiles, and of the images of their atoms; false if an atom has moved
+// too far.
+bool Evaluator::place(const Atoms& atoms, const TileFlags& tiles) {
   const Candidates& c = *candidates_;
-  const auto copy_chunk = [&](std::size_t begin, std::size_t end) {
-    Largest largest;
-    for (std::size_t i = begin; i < end; ++i) {
-      // The caller's order may jump about in memory.
-      if (i + prefetched_atoms < end) prefetch(&atoms.positions[c.order[i + prefetched_atoms]], 1);
+  std::atomic<bool> has_moved = false;
+  for_each_part(tiles.size(), [&](std::size_t tile) {
+    if (tiles[tile] == 0) return;
+    if (clean_tiles_->squared_way(atoms, tile) > 0.25 * skin_ * skin_) has_moved = true;
+    for (std::uint32_t i = c.tiles[tile]; i < c.tiles[tile + 1]; ++i) {
       Eigen::Vector3d x = atoms.positions[c.order[i]];
       if (!c.wraps.empty()) {
         const auto& wrap = c.wraps[i];
         x += box_.cell * Eigen::Vector3d(wrap[0], wrap[1], wrap[2]);
       }
-      auto place = Eigen::Vector3d::Map(&positions_[4 * i]);
-      const double squared_way = (x - place).squaredNorm();
-      const bool is_followed =
-          std::isfinite(squared_way) && atoms.species[c.order[i]] == c.species[i];
-      largest += Largest{is_followed ? squared_way : std::numeric_limits<double>::infinity()};
-      place = x;
+      Eigen::Vector3d::Map(&positions_[std::size_t{4} * i]) = x;
     }
-    return largest;
-  };
-  return std::sqrt(sum_over_chunks<Largest>(atoms.size(), copy_chunk).value);
+  });
+  place_images(tiles);
+  return !has_moved;
 }
 
-void Evaluator::place_images() {
+void Evaluator::place_images(const TileFlags& tiles) {
   const Candidates& c = *candidates_;
   for_each_chunk(c.images.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const auto& [home, shift] = c.images[k];
+      if (tiles[c.tile_of(home)] == 0) continue;
       Eigen::Vector3d x = Eigen::Vector3d::Map(&positions_[std::size_t{4} * home]);
       for (int d = 0; d < 3; ++d) {
         const std::int16_t times = shift[static_cast<std::size_t>(d)];
@@ -160,10 +217,11 @@ Eigen::Vector3d Evaluator::separation(std::uint32_t atom, std::uint32_t link) co
   return surroundings().separation(atom, link);
 }
 
-void Evaluator::classify() {
-  const std::size_t tiles = candidates_->tile_count();
-  for_each_part(tiles, [&](std::size_t tile) { classify_tile(tile); });
-  for_each_part(tiles, [&](std::size_t tile) {
+void Evaluator::classify(const TileFlags& tiles) {
+  for_each_part(tiles.size(), [&](std::size_t tile) {
+    if (tiles[tile] != 0) classify_tile(tile);
+  });
+  for_each_part(tiles.size(), [&](std::size_t tile) {
     for (const std::uint32_t atom : irregular_[tile]) mark_around(atom);
   });
 }
@@ -180,37 +238,17 @@ void Evaluator::classify_tile(std::size_t tile) {
   }
 }
 
-// Sets bonded_ of regular atoms: carbons with three carbons at full bonds and nothing in between.
+// Sets bonded_ of regular atoms.
 bool Evaluator::is_regular(std::uint32_t atom, const Surroundings& in) {
   const Candidates& c = *candidates_;
-  const Range cutoff = parameters_.bond(Species::carbon, Species::carbon).cutoff;
+  if (c.species[atom] != Species::carbon) return false;
   const std::uint32_t first = c.first[atom];
-  const std::uint32_t links = c.first[atom + 1] - first;
-  constexpr std::uint32_t most_links = 256;  // what eight bits can count
-  if (c.species[atom] != Species::carbon || links < 3 || links > most_links) return false;
-  std::array<Eigen::Vector3d, 3> bonds;
-  std::array<double, 3> squares;
-  std::array<std::uint32_t, 3> offsets{};
-  std::size_t count = 0;
-  for (std::uint32_t offset = 0; offset < links; ++offset) {
-    const Eigen::Vector3d bond = in.separation(atom, first + offset);
-    const double square = bond.squaredNorm();
-    if (square >= cutoff.end * cutoff.end) continue;
-    if (count == 3 || square > cutoff.begin * cutoff.begin || square == 0.0) return false;
-    if (c.species[c.home(c.point[first + offset])] != Species::carbon) return false;
-    bonds[count] = bond;
-    squares[count] = square;
-    offsets[count++] = offset;
-  }
-  if (count != 3) return false;
-  bonded_[atom] = pack_bonds(offsets[0], offsets[1], offsets[2]);
-  // cosθ < -0.995, or three atoms on a line the other way round, without a square root.
-  const auto is_straight = [&](std::size_t a, std::size_t b) {
-    const double product = bonds[a].dot(bonds[b]);
-    constexpr double limit = straight_angle.end * straight_angle.end;
-    return product * product > limit * squares[a] * squares[b];
-  };
-  return !is_straight(0, 1) && !is_straight(0, 2) && !is_straight(1, 2);
+  const auto bonds = regular_bonds(
+      parameters_.bond(Species::carbon, Species::carbon).cutoff, c.first[atom + 1] - first,
+      [&](std::uint32_t k) { return in.separation(atom, first + k); },
+      [&](std::uint32_t k) { return c.species[c.home(c.point[first + k])] == Species::carbon; });
+  if (bonds) bonded_[atom] = *bonds;
+  return bonds.has_value();
 }
 
 void Evaluator::count_neighbors(std::uint32_t atom) {
@@ -249,7 +287,7 @@ void Evaluator::mark(std::uint32_t atom, std::uint8_t state) {
   known.fetch_or(state, std::memory_order_relaxed);
 }
 
-CleanArguments Evaluator::clean_arguments(std::size_t tile, Scratch& scratch) const {
+CleanArguments Evaluator::clean_arguments(std::size_t tile, TileSlopes& slopes) const {
   const Candidates& c = *candidates_;
   return {.parameters = &clean_parameters_,
           .positions = positions_.get(),
@@ -260,15 +298,15 @@ CleanArguments Evaluator::clean_arguments(std::size_t tile, Scratch& scratch) co
           .states = states_.get(),
           .homes = image_homes_.data(),
           .atom_count = static_cast<std::uint32_t>(c.count()),
-          .slopes = scratch.slopes.data(),
-          .energies = scratch.energies.data(),
+          .slopes = slopes.links.data(),
+          .energies = slopes.energies.data(),
           .first_link = c.first[c.tiles[tile]],
           .first_atom = c.tiles[tile]};
 }
 
-Slopes Evaluator::slopes(std::size_t tile, Scratch& scratch) const {
-  return {.links = scratch.slopes.data(),
-          .energies = scratch.energies.data(),
+Slopes Evaluator::general_slopes(std::size_t tile, TileSlopes& slopes) const {
+  return {.links = slopes.links.data(),
+          .energies = slopes.energies.data(),
           .first_link = candidates_->first[candidates_->tiles[tile]],
           .first_atom = candidates_->tiles[tile],
           .cutoffs = cutoff_slopes_.get(),
@@ -286,65 +324,54 @@ Surroundings Evaluator::surroundings() const {
 
 Totals Evaluator::evaluate_tile(std::size_t tile) {
   const Candidates& c = *candidates_;
-  Scratch scratch;
-  scratch.energies.resize(c.tiles[tile + 1] - c.tiles[tile]);
-  scratch.slopes.resize(std::size_t{4} * (c.first[c.tiles[tile + 1]] - c.first[c.tiles[tile]]));
-  const Eigen::Matrix3d of_regular = evaluate_regular(tile, scratch);
-  const Eigen::Matrix3d of_general = evaluate_general(tile, scratch);
-  Totals totals = gather(tile, scratch);
-  totals.virial = of_regular + of_general;
-  export_crossings(tile, scratch);
+  Workspace& workspace = workspaces_.local();
+  const std::uint32_t begin = c.tiles[tile];
+  const std::uint32_t end = c.tiles[tile + 1];
+  workspace.slopes.clear(end - begin, c.first[end] - c.first[begin]);
+  evaluate_regular(tile, workspace);
+  evaluate_general(tile, workspace.slopes);
+  const Totals totals = gather(tile, workspace.slopes);
+  export_crossings(tile, workspace.slopes);
   return totals;
 }
 
-// Beyond some ten thousand atoms everything comes from memory. It is asked for some atoms at a time
-// while others are evaluated: where the results of this tile go, and what the next tile reads.
-void Evaluator::prefetch_around(std::size_t tile, std::uint32_t offset) const {
+// Asks for what the next tile reads, part by part while this one is evaluated.
+void Evaluator::prefetch_next(std::size_t tile, Part part) const {
   const Candidates& c = *candidates_;
-  const auto atoms = [&](std::size_t t) {
-    const std::uint32_t begin = std::min(c.tiles[t] + offset, c.tiles[t + 1]);
-    return std::pair(begin, std::min(begin + prefetched_atoms, c.tiles[t + 1]));
-  };
-  const auto [begin, end] = atoms(tile);
-  for (std::uint32_t i = begin; i < end; ++i) {
-    prefetch(&result_.forces[c.order[i]], 1);
-    prefetch(&result_.energies[c.order[i]], 1);
-  }
   if (tile + 1 == c.tile_count()) return;
-  const auto [next, next_end] = atoms(tile + 1);
-  const std::uint32_t link = c.first[next];
-  const std::uint32_t links = c.first[next_end] - link;
-  prefetch(&positions_[std::size_t{4} * next], std::size_t{4} * (next_end - next));
-  prefetch(&c.first[next], next_end - next);
-  prefetch(&c.point[link], links);
-  prefetch(&c.reverse[link], links);
-  prefetch(&bonded_[next], next_end - next);
-  prefetch(&c.order[next], next_end - next);
+  const std::uint32_t begin = c.tiles[tile + 1];
+  const std::uint32_t count = c.tiles[tile + 2] - begin;
+  const std::uint32_t first_link = c.first[begin];
+  const std::uint32_t links = c.first[begin + count] - first_link;
+  prefetch(part.of(
+      std::span<const double>(&positions_[std::size_t{4} * begin], std::size_t{4} * count)));
+  prefetch(part.of(std::span(c.first).subspan(begin, count)));
+  prefetch(part.of(std::span(c.point).subspan(first_link, links)));
+  prefetch(part.of(std::span(c.reverse).subspan(first_link, links)));
+  prefetch(part.of(std::span<const std::uint32_t>(&bonded_[begin], count)));
 }
 
-// Returns what they add to the upper half of the virial.
-Eigen::Matrix3d Evaluator::evaluate_regular(std::size_t tile, Scratch& scratch) const {
+void Evaluator::evaluate_regular(std::size_t tile, Workspace& workspace) const {
+  workspace.regular.clear();
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
-    if ((states_[i] & atom_state::irregular) == 0) scratch.regular.push_back(i);
+    if ((states_[i] & atom_state::irregular) == 0) workspace.regular.push_back(i);
   }
   std::array<double, 6> virial{};
-  const CleanArguments arguments = clean_arguments(tile, scratch);
-  const std::span<const std::uint32_t> regular = scratch.regular;
-  for (std::size_t k = 0; k < regular.size(); k += prefetched_atoms) {
-    prefetch_around(tile, static_cast<std::uint32_t>(k));
-    const auto some =
-        regular.subspan(k, std::min<std::size_t>(prefetched_atoms, regular.size() - k));
+  const CleanArguments arguments = clean_arguments(tile, workspace.slopes);
+  const std::span<const std::uint32_t> regular = workspace.regular;
+  constexpr std::size_t batch = 16;  // a multiple of all kernels'
+  const std::size_t batches = (regular.size() + batch - 1) / batch;
+  for (std::size_t k = 0; k < batches; ++k) {
+    prefetch_next(tile, {k, batches});
+    const auto some = regular.subspan(k * batch, std::min(batch, regular.size() - k * batch));
     clean_kernel_(arguments, some.data(), some.size(), virial.data());
   }
-  const auto [xx, yy, zz, xy, xz, yz] = virial;
-  Eigen::Matrix3d upper;
-  upper << xx, xy, xz, 0.0, yy, yz, 0.0, 0.0, zz;
-  return upper;
+  workspace.slopes.virial += upper_half(virial);
 }
 
-// After the regular ones, to some of which it adds; returns what that adds to the virial.
-Eigen::Matrix3d Evaluator::evaluate_general(std::size_t tile, Scratch& scratch) const {
-  GeneralAtom general(surroundings(), slopes(tile, scratch),
+// After the regular ones, to some of which it adds.
+void Evaluator::evaluate_general(std::size_t tile, TileSlopes& slopes) const {
+  GeneralAtom general(surroundings(), general_slopes(tile, slopes),
                       candidates_->tiles[tile + 1] - candidates_->tiles[tile]);
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     if ((states_[i] & atom_state::irregular) != 0) {
@@ -353,20 +380,30 @@ Eigen::Matrix3d Evaluator::evaluate_general(std::size_t tile, Scratch& scratch) 
       general.add_other_pi(i);
     }
   }
-  return general.virial();
+  slopes.virial += general.virial();
+}
+
+// The caller's order may jump about in memory.
+void Evaluator::prefetch_result(std::size_t atom) const {
+  const Candidates& c = *candidates_;
+  if (atom >= c.count()) return;
+  __builtin_prefetch(&result_.forces[c.order[atom]]);
+  __builtin_prefetch(&result_.energies[c.order[atom]]);
 }
 
 // Forces and energies from the links within the tile; returns the energy, which needs no others.
-Totals Evaluator::gather(std::size_t tile, const Scratch& scratch) {
+Totals Evaluator::gather(std::size_t tile, const TileSlopes& slopes) {
   const Candidates& c = *candidates_;
   const std::uint32_t begin = c.tiles[tile];
   const std::uint32_t first_link = c.first[begin];
   const std::uint32_t links = c.first[c.tiles[tile + 1]] - first_link;
   const auto slope = [&](std::uint32_t link) {
-    return Eigen::Vector4d::Map(&scratch.slopes[std::size_t{4} * link]);
+    return Eigen::Vector4d::Map(&slopes.links[std::size_t{4} * link]);
   };
   Totals totals;
+  totals.virial = slopes.virial;
   for (std::uint32_t i = begin; i < c.tiles[tile + 1]; ++i) {
+    prefetch_result(i + results_ahead);
     Eigen::Vector4d own = Eigen::Vector4d::Zero();
     Eigen::Vector4d other = Eigen::Vector4d::Zero();
     for (std::uint32_t link = c.first[i]; link < c.first[i + 1]; ++link) {
@@ -374,7 +411,7 @@ Totals Evaluator::gather(std::size_t tile, const Scratch& scratch) {
       const std::uint32_t back = c.reverse[link] - first_link;  // wraps around if before the tile
       if (back < links) other += slope(back);
     }
-    const double energy = scratch.energies[i - begin];
+    const double energy = slopes.energies[i - begin];
     result_.energies[c.order[i]] = energy + other[3];
     result_.forces[c.order[i]] = (own - other).head<3>();
     totals.energy += energy + own[3];
@@ -382,12 +419,12 @@ Totals Evaluator::gather(std::size_t tile, const Scratch& scratch) {
   return totals;
 }
 
-void Evaluator::export_crossings(std::size_t tile, const Scratch& scratch) {
+void Evaluator::export_crossings(std::size_t tile, const TileSlopes& slopes) {
   const Candidates& c = *candidates_;
   const std::uint32_t first_link = c.first[c.tiles[tile]];
   for (std::uint32_t k = c.first_crossing[tile]; k < c.first_crossing[tile + 1]; ++k) {
     const std::size_t link = c.crossings[k].link - first_link;
-    exports_[k] = Eigen::Vector4d::Map(&scratch.slopes[4 * link]);
+    exports_[k] = Eigen::Vector4d::Map(&slopes.links[4 * link]);
   }
 }
 

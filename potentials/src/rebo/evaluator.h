@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <array>
 #include <memory>
 #include <optional>
@@ -8,8 +10,10 @@
 
 #include "rebo/candidates.h"
 #include "rebo/clean_kernel.h"
+#include "rebo/clean_tiles.h"
 #include "rebo/general_atom.h"
 #include "rebo/parameters.h"
+#include "rebo/tile_slopes.h"
 #include "totals.h"
 #include "trivalent/potentials/energy_forces.h"
 
@@ -18,9 +22,11 @@ namespace trivalent::potentials::rebo_detail {
 /// REBO for many atoms, many times: finds neighbors again only when atoms have moved, evaluates
 /// clean atoms (see clean_kernel_impl.h) several at a time, and all others by GeneralAtom.
 ///
-/// Every atom first takes the derivatives of its own terms with respect to its own links; in a
-/// second sweep each collects its force from both directions of its links. Within a sweep atoms are
-/// independent, so threads neither wait for each other nor change a bit of the result.
+/// Every atom first takes the derivatives of its own terms with respect to its own links; then it
+/// collects its force from both directions of its links. Tiles without irregular atoms around go
+/// the short way through CleanTiles; for the others, all atoms near them are looked at first.
+/// Within a sweep tiles are independent, so threads neither wait for each other nor change a bit of
+/// the result.
 class Evaluator {
  public:
   Evaluator(const Parameters& parameters, double skin, CleanKernel kernel = best_clean_kernel());
@@ -31,19 +37,28 @@ class Evaluator {
   [[nodiscard]] EnergyForces take_result() && { return std::move(result_); }
 
  private:
-  // What is kept of a tile only while it is evaluated.
-  struct Scratch {
+  // One value per tile; bytes, as several threads write to them.
+  using TileFlags = std::vector<std::uint8_t>;
+
+  // What a thread keeps of a tile only while it is evaluated.
+  struct Workspace {
+    CleanTiles::Workspace clean;
     std::vector<std::uint32_t> regular;
-    std::vector<double> energies;  // per atom, own share
-    std::vector<double> slopes;    // four per link
+    TileSlopes slopes;
   };
 
   void start(const Atoms& atoms);
   [[nodiscard]] bool is_same_system(const Atoms& atoms) const;
-  [[nodiscard]] double copy_positions(const Atoms& atoms);
-  void place_images();
+  [[nodiscard]] bool evaluate_tiles(const Atoms& atoms);
+  [[nodiscard]] bool evaluate_clean_tiles(const Atoms& atoms);
+  [[nodiscard]] bool evaluate_general_tiles(const Atoms& atoms);
 
-  void classify();
+  [[nodiscard]] TileFlags and_near(const TileFlags& tiles) const;
+  [[nodiscard]] bool place(const Atoms& atoms, const TileFlags& tiles);
+  void place_images(const TileFlags& tiles);
+  [[nodiscard]] TileFlags irregular_tiles() const;
+
+  void classify(const TileFlags& tiles);
   void classify_tile(std::size_t tile);
   [[nodiscard]] bool is_regular(std::uint32_t atom, const Surroundings& in);
   void count_neighbors(std::uint32_t atom);
@@ -51,17 +66,18 @@ class Evaluator {
   void mark(std::uint32_t atom, std::uint8_t state);
 
   [[nodiscard]] Totals evaluate_tile(std::size_t tile);
-  [[nodiscard]] Eigen::Matrix3d evaluate_regular(std::size_t tile, Scratch& scratch) const;
-  void prefetch_around(std::size_t tile, std::uint32_t offset) const;
-  [[nodiscard]] Eigen::Matrix3d evaluate_general(std::size_t tile, Scratch& scratch) const;
-  [[nodiscard]] Totals gather(std::size_t tile, const Scratch& scratch);
-  void export_crossings(std::size_t tile, const Scratch& scratch);
+  void evaluate_regular(std::size_t tile, Workspace& workspace) const;
+  void prefetch_next(std::size_t tile, Part part) const;
+  void prefetch_result(std::size_t atom) const;
+  void evaluate_general(std::size_t tile, TileSlopes& slopes) const;
+  [[nodiscard]] Totals gather(std::size_t tile, const TileSlopes& slopes);
+  void export_crossings(std::size_t tile, const TileSlopes& slopes);
   void import_crossings(std::size_t tile);
   void add_coordination_slopes_of_neighbors(std::size_t tile);
   [[nodiscard]] Totals add_forces_of_cutoffs(std::size_t tile);
 
-  [[nodiscard]] CleanArguments clean_arguments(std::size_t tile, Scratch& scratch) const;
-  [[nodiscard]] Slopes slopes(std::size_t tile, Scratch& scratch) const;
+  [[nodiscard]] CleanArguments clean_arguments(std::size_t tile, TileSlopes& slopes) const;
+  [[nodiscard]] Slopes general_slopes(std::size_t tile, TileSlopes& slopes) const;
   [[nodiscard]] Surroundings surroundings() const;
   [[nodiscard]] Eigen::Vector3d separation(std::uint32_t atom, std::uint32_t link) const;
 
@@ -69,9 +85,12 @@ class Evaluator {
   CleanParameters clean_parameters_;
   CleanKernel clean_kernel_;
   double skin_;
-  double moved_ = 0.0;  // upper bound of how far any atom went since neighbors were found [Å]
   Box box_;
   std::optional<Candidates> candidates_;
+  std::optional<CleanTiles> clean_tiles_;
+  TileFlags is_general_;  // whether a tile has irregular atoms in it or near it, as far as is known
+  std::vector<Totals> totals_;  // per tile
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
   std::vector<std::uint32_t> image_homes_;
   std::vector<std::vector<std::uint32_t>> irregular_;  // atoms, per tile
 
