@@ -88,6 +88,21 @@ void add_tiles(std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t
   }
 }
 
+// Number of a block along a curve that visits all eight blocks of a cube of them before the next
+// cube [Morton1966]: what is near in space is mostly near in memory. Blocks so far away that their
+// numbers are cut off only share a tile with others.
+std::uint64_t place_on_curve(const Eigen::Array<std::uint64_t, 3, 1>& block) {
+  const auto spread = [](std::uint64_t bits) {  // 21 bits, two zeros after each
+    bits &= 0x1fffff;
+    bits = (bits | bits << 32) & 0x001f00000000ffff;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+    return (bits | bits << 2) & 0x1249249249249249;
+  };
+  return spread(block[0]) | spread(block[1]) << 1 | spread(block[2]) << 2;
+}
+
 // The points that are atoms, sorted by blocks of space; sets the tiles that follow from it.
 std::vector<std::uint32_t> Candidates::Builder::home_points_by_block() {
   struct Place {
@@ -105,12 +120,9 @@ std::vector<std::uint32_t> Candidates::Builder::home_points_by_block() {
   places.reserve(atoms_.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (!points[p].is_home) continue;
-    // Blocks so far away that their numbers are cut off only share a tile with others.
     const Eigen::Array<std::uint64_t, 3, 1> block =
         ((points[p].position.array() - lowest) / width).min(0x1p52).cast<std::uint64_t>();
-    constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
-    places.push_back({(block[0] & mask) | (block[1] & mask) << 21 | (block[2] & mask) << 42,
-                      static_cast<std::uint32_t>(p)});
+    places.push_back({place_on_curve(block), static_cast<std::uint32_t>(p)});
   }
   tbb::parallel_sort(places.begin(), places.end());
 
