@@ -21,22 +21,22 @@ namespace {
   return sum;
 }
 
-[[nodiscard]] AngularValue angular_function_of_carbon(double cosine, double coordination) {
-  const ValueAndSlope few = polynomial(g_carbon_few, cosine);
-  if (coordination <= g_carbon_switch.begin) return {few.value, few.slope, 0.0};
-  const ValueAndSlope many = polynomial(g_carbon_many, cosine);
-  const ValueAndSlope share = cosine_switch(coordination, g_carbon_switch);
-  return {many.value + share.value * (few.value - many.value),
-          many.slope + share.value * (few.slope - many.slope),
-          share.slope * (few.value - many.value)};
-}
-
 }  // namespace
 
+AngularShapes angular_shapes(Species center, double cosine, double coordination) {
+  if (center == Species::hydrogen) return {polynomial(g_hydrogen, cosine), {}};
+  const bool is_few = coordination <= g_carbon_switch.begin;
+  return {polynomial(g_carbon_few, cosine),
+          is_few ? ValueAndSlope{} : polynomial(g_carbon_many, cosine)};
+}
+
+ValueAndSlope share_of_few(Species center, double coordination) {
+  if (center != Species::carbon) return {1.0, 0.0};
+  return cosine_switch(coordination, g_carbon_switch);
+}
+
 AngularValue angular_function(Species center, double cosine, double coordination) {
-  if (center == Species::carbon) return angular_function_of_carbon(cosine, coordination);
-  const ValueAndSlope g = polynomial(g_hydrogen, cosine);
-  return {g.value, g.slope, 0.0};
+  return blended(angular_shapes(center, cosine, coordination), share_of_few(center, coordination));
 }
 
 }  // namespace trivalent::potentials::rebo_detail

@@ -24,6 +24,11 @@ CleanTiles::CleanTiles(const Atoms& atoms, const Candidates& candidates, const R
 double CleanTiles::squared_way(const Atoms& atoms, std::size_t tile) const {
   double largest = 0.0;
   for (std::uint32_t i = candidates_.tiles[tile]; i < candidates_.tiles[tile + 1]; ++i) {
+    // The caller's order may jump about in memory.
+    constexpr std::uint32_t ahead = 16;
+    if (i + ahead < candidates_.count()) {
+      __builtin_prefetch(&atoms.positions[candidates_.order[i + ahead]]);
+    }
     const std::uint32_t given = candidates_.order[i];
     const double squared_way = (atoms.positions[given] - start_[i]).squaredNorm();
     const bool is_followed =

@@ -80,7 +80,9 @@ void GeneralAtom::start(std::uint32_t atom, const Condition& is_needed) {
 
 void GeneralAtom::evaluate(std::uint32_t atom) {
   start(atom, [](const Neighbor&) { return true; });
+  find_angles();
   for (std::size_t j = 0; j < near_.count; ++j) evaluate_bond(j);
+  add_slopes_of_angles();
   clear_links();
   out_.energies[atom - out_.first_atom] = 0.0;
   write();
@@ -132,29 +134,44 @@ void GeneralAtom::add_slope_of_cosine(std::size_t j, std::size_t k, double cosin
   slopes_[k].separation += slope / b.r * (a.direction - cosine * b.direction);
 }
 
+// Every two bonds form one angle, which is in p of both.
+void GeneralAtom::find_angles() {
+  angles_.clear();
+  for (std::size_t k = 1; k < near_.count; ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const double cosine =
+          std::clamp(near_neighbors_[j].direction.dot(near_neighbors_[k].direction), -1.0, 1.0);
+      angles_.push_back(
+          {cosine, angular_shapes(near_.species, cosine, near_.coordination.total()), 0.0});
+    }
+  }
+}
+
+void GeneralAtom::add_slopes_of_angles() {
+  for (std::size_t k = 1; k < near_.count; ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const Angle& between = angle(j, k);
+      if (between.slope != 0.0) add_slope_of_cosine(j, k, between.cosine, between.slope);
+    }
+  }
+}
+
+// exp λ of an angle at a hydrogen, in p of its bond j.
+double GeneralAtom::stretch_factor(std::size_t j, std::size_t k) const {
+  if (near_.species == Species::carbon) return 1.0;
+  const auto stretch = [&](const Neighbor& n) {
+    return n.r - in_.parameters.bond(Species::hydrogen, n.species).preferred_length;
+  };
+  return std::exp(hydrogen_lambda * (stretch(near_neighbors_[j]) - stretch(near_neighbors_[k])));
+}
+
 // Returns p of the bond; half of it weighs -V_A in the energy.
 double GeneralAtom::add_sigma(std::size_t j, double attracted) {
   const std::span<const Neighbor> neighbors = near_neighbors_;
   Coordination rest = near_.coordination;
   rest.of(neighbors[j].species) -= neighbors[j].f.value;
   const bool is_carbon = near_.species == Species::carbon;
-  const auto stretch = [&](const Neighbor& n) {
-    return n.r - in_.parameters.bond(Species::hydrogen, n.species).preferred_length;
-  };
-  struct Angle {
-    double cosine;
-    AngularValue g;
-    double factor;
-  };
-  const auto angle = [&](std::size_t k) {
-    const double cosine = std::clamp(neighbors[j].direction.dot(neighbors[k].direction), -1.0, 1.0);
-    const AngularValue g = angular_function(near_.species, cosine, rest.total());
-    const double lambda =
-        is_carbon ? 0.0 : hydrogen_lambda * (stretch(neighbors[j]) - stretch(neighbors[k]));
-    return Angle{cosine, g, lambda == 0.0 ? 1.0 : std::exp(lambda)};
-  };
-  constexpr std::size_t most_kept = 16;
-  std::array<Angle, most_kept> kept;
+  const ValueAndSlope few = share_of_few(near_.species, rest.total());
   Value2 P{};
   if (is_carbon) {
     const bool to_carbon = neighbors[j].species == Species::carbon;
@@ -162,24 +179,24 @@ double GeneralAtom::add_sigma(std::size_t j, double attracted) {
   }
   double sum = 1.0 + P.value;
   double slope_coordination = 0.0;
+  factors_.resize(neighbors.size());
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     if (k == j) continue;
-    const Angle term = angle(k);
-    if (k < most_kept) kept[k] = term;
-    sum += neighbors[k].f.value * term.g.value * term.factor;
-    slope_coordination += neighbors[k].f.value * term.g.slope_coordination * term.factor;
+    const AngularValue g = blended(angle(j, k).g, few);
+    factors_[k] = stretch_factor(j, k);
+    sum += neighbors[k].f.value * g.value * factors_[k];
+    slope_coordination += neighbors[k].f.value * g.slope_coordination * factors_[k];
   }
   const double p = 1.0 / std::sqrt(sum);
 
   const double weight = 0.25 * attracted * p / sum;  // dE/d(sum)
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     if (k == j) continue;
-    const Angle term = k < most_kept ? kept[k] : angle(k);
+    const AngularValue g = blended(angle(j, k).g, few);
     const Neighbor& neighbor = neighbors[k];
-    const double value = weight * term.g.value * term.factor;
+    const double value = weight * g.value * factors_[k];
     slopes_[k].f += value;
-    const double share = weight * neighbor.f.value * term.factor;
-    add_slope_of_cosine(j, k, term.cosine, share * term.g.slope_cosine);
+    angle(j, k).slope += weight * neighbor.f.value * factors_[k] * g.slope_cosine;
     if (is_carbon) continue;
     const double slope_stretch = value * neighbor.f.value * hydrogen_lambda;
     slopes_[j].separation += slope_stretch * neighbors[j].direction;

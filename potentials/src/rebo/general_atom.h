@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "rebo/angular_function.h"
 #include "rebo/bonds.h"
 #include "rebo/candidates.h"
 #include "rebo/clean_kernel.h"
@@ -103,6 +105,13 @@ class GeneralAtom {
     std::uint32_t count;
   };
 
+  // Between two bonds of the atom that is evaluated.
+  struct Angle {
+    double cosine;
+    AngularShapes g;
+    double slope;  // of the energy, d/d cosine
+  };
+
   struct Plane {
     std::size_t neighbor;
     Eigen::Vector3d normal;
@@ -119,6 +128,13 @@ class GeneralAtom {
   }
   template <typename Condition>
   void start(std::uint32_t atom, const Condition& is_needed);
+  void find_angles();
+  [[nodiscard]] Angle& angle(std::size_t j, std::size_t k) {
+    const auto [low, high] = std::minmax(j, k);
+    return angles_[high * (high - 1) / 2 + low];
+  }
+  [[nodiscard]] double stretch_factor(std::size_t j, std::size_t k) const;
+  void add_slopes_of_angles();
   void evaluate_bond(std::size_t j);
   void evaluate_pi(std::size_t j);
   [[nodiscard]] double add_sigma(std::size_t j, double attracted);
@@ -144,6 +160,8 @@ class GeneralAtom {
   double energy_ = 0.0;
   Eigen::Matrix3d virial_ = Eigen::Matrix3d::Zero();
   Coordination slope_coordination_;
+  std::vector<Angle> angles_;
+  std::vector<double> factors_;  // exp λ of the angles of one bond
   std::vector<Plane> near_planes_;
   std::vector<Plane> far_planes_;
 };

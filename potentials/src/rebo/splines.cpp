@@ -29,13 +29,15 @@ struct HermiteWeights {
 // The cell an argument falls into, and where inside.
 struct CellArgument {
   std::size_t cell;
+  std::size_t ends;  // of the cell that count: at a knot all weights of the other end are zero
   HermiteWeights weights;
 
-  CellArgument(double x, int first, int last) : cell(0), weights{} {
+  CellArgument(double x, int first, int last) : cell(0), ends(2), weights{} {
     const double inside = std::clamp(x, static_cast<double>(first), static_cast<double>(last));
     const int lower = std::min(static_cast<int>(inside), last - 1);
     cell = static_cast<std::size_t>(lower - first);
     weights = hermite_weights(inside - lower);
+    if (inside == lower) ends = 1;
     if (x == inside) return;
     weights.h_slope = {0.0, 0.0};
     weights.H_slope = {0.0, 0.0};
@@ -50,8 +52,8 @@ Value2 BicubicSpline::operator()(double x, double y) const {
   const HermiteWeights& wx = along_x.weights;
   const HermiteWeights& wy = along_y.weights;
   Value2 sum{};
-  for (std::size_t a = 0; a < 2; ++a) {
-    for (std::size_t b = 0; b < 2; ++b) {
+  for (std::size_t a = 0; a < along_x.ends; ++a) {
+    for (std::size_t b = 0; b < along_y.ends; ++b) {
       const double knot = values_[along_x.cell + a][along_y.cell + b];
       sum.value += knot * wx.h[a] * wy.h[b];
       sum.slope_x += knot * wx.h_slope[a] * wy.h[b];
@@ -71,14 +73,14 @@ Value3 TricubicSpline::operator()(double x, double y, double z) const {
   // One direction after the other: z, then y, then x. What is given at a knot as a slope along one
   // direction counts like a value along the others; names with x and y are about those.
   Value3 sum{};
-  for (std::size_t a = 0; a < 2; ++a) {
+  for (std::size_t a = 0; a < along_x.ends; ++a) {
     double value = 0.0;
     double slope_y = 0.0;
     double slope_z = 0.0;
     double x_value = 0.0;
     double x_slope_y = 0.0;
     double x_slope_z = 0.0;
-    for (std::size_t b = 0; b < 2; ++b) {
+    for (std::size_t b = 0; b < along_y.ends; ++b) {
       const Node& low = nodes_[along_x.cell + a][along_y.cell + b][along_z.cell];
       const Node& high = nodes_[along_x.cell + a][along_y.cell + b][along_z.cell + 1];
       const double from_value = low.value * wz.h[0] + high.value * wz.h[1] + low.slope_z * wz.H[0] +
