@@ -1,6 +1,8 @@
 // Times force evaluations of one structure, for comparison with other programs:
-//   rebo_time graphene|shell|FILE.xyz [threads [evaluations]]    microseconds per atom and
-//   evaluation rebo_time graphene|shell|FILE.xyz data FILE                  writes it for LAMMPS
+//   rebo_time graphene|shell|FILE.xyz [threads [evaluations [rebo|airebo]]]
+//     microseconds per atom and evaluation; AIREBO's with the search for neighbors
+//   rebo_time graphene|shell|FILE.xyz data FILE
+//     writes it for LAMMPS
 
 #include <sys/resource.h>
 #include <tbb/global_control.h>
@@ -11,6 +13,7 @@
 #include <string>
 
 #include "bench_structures.h"
+#include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/rebo.h"
 
 namespace {
@@ -43,12 +46,12 @@ void write_lammps_data(const potentials::Atoms& atoms, const std::string& path) 
   std::fclose(out);
 }
 
-void time_evaluations(const potentials::Atoms& atoms, int evaluations) {
+// Calls evaluate() once and then, timed, some more times.
+void time_evaluations(const potentials::Atoms& atoms, int evaluations, const auto& evaluate) {
   const auto now = [] { return std::chrono::steady_clock::now(); };
-  potentials::Rebo potential;
-  const double energy = potential.evaluate(atoms).energy;
+  const double energy = evaluate();
   const auto begin = now();
-  for (int k = 0; k < evaluations; ++k) (void)potential.evaluate(atoms);
+  for (int k = 0; k < evaluations; ++k) (void)evaluate();
   const double seconds = std::chrono::duration<double>(now() - begin).count();
   const auto n = static_cast<double>(atoms.size());
   rusage usage{};
@@ -62,7 +65,9 @@ void time_evaluations(const potentials::Atoms& atoms, int evaluations) {
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: rebo_time graphene|shell|FILE.xyz [threads [evaluations]]\n");
+    std::fprintf(stderr,
+                 "usage: rebo_time graphene|shell|FILE.xyz "
+                 "[threads [evaluations [rebo|airebo]]]\n");
     return 2;
   }
   const auto atoms = bench::structure(argv[1]);
@@ -72,7 +77,13 @@ int main(int argc, char** argv) try {
   }
   const std::size_t threads = argc > 2 ? std::stoul(argv[2]) : 1;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  time_evaluations(atoms, argc > 3 ? std::stoi(argv[3]) : 50);
+  const int evaluations = argc > 3 ? std::stoi(argv[3]) : 50;
+  if (argc > 4 && std::string(argv[4]) == "airebo") {
+    time_evaluations(atoms, evaluations, [&] { return potentials::airebo(atoms).energy; });
+  } else {
+    potentials::Rebo potential;
+    time_evaluations(atoms, evaluations, [&] { return potential.evaluate(atoms).energy; });
+  }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

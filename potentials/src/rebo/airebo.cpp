@@ -25,7 +25,7 @@ using namespace rebo_detail;  // NOLINT(google-build-using-namespace): the parts
 }
 
 // 4ε[(σ/r)^12 - (σ/r)^6], switched off smoothly before 3σ.
-[[nodiscard]] ValueAndSlope lennard_jones_energy(double r, const NonbondedParameters& p) {
+[[nodiscard]] inline ValueAndSlope lennard_jones_energy(double r, const NonbondedParameters& p) {
   const double inverse = p.sigma / r;
   const double sixth = inverse * inverse * inverse * inverse * inverse * inverse;
   const ValueAndSlope full = {4.0 * p.epsilon * sixth * (sixth - 1.0),
@@ -46,14 +46,16 @@ void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double ene
 // Pairs too far apart for any path of bonds: Lennard-Jones and nothing else.
 void add_far_pairs(const Atoms& atoms, EnergyForces& result) {
   const CellGrid grid(atoms, nonbonded_end.end * nonbonded_2000[0].sigma);
+  constexpr double nearest = longest_path * longest_path;
   const auto sum_chunk = [&](std::size_t begin, std::size_t end) {
     Totals sum;
     grid.for_each_neighbor(
         begin, end,
         [&](std::size_t p, std::size_t q, const Eigen::Vector3d& separation, double r2) {
+          if (r2 * rounding_margin * rounding_margin < nearest) return;
           const GridPoint& from = grid.points()[p];
           const GridPoint& to = grid.points()[q];
-          if (is_nearer(atoms, from, to, {r2, longest_path * longest_path})) return;
+          if (is_nearer(atoms, from, to, {r2, nearest})) return;
           const double r = std::sqrt(r2);
           const ValueAndSlope pair =
               lennard_jones_energy(r, nonbonded(atoms.species[from.atom], atoms.species[to.atom]));
@@ -76,36 +78,8 @@ class NearPairs {
   NearPairs(const Bonds& bonds, Gradient& gradient, EnergyForces& result)
       : bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
 
-  void add_pairs_of(std::uint32_t atom, std::span<const Neighbor> neighbors) {
-    paths_.start_from(atom);
-    for (const Neighbor& neighbor : neighbors) {
-      if (is_first_of_pair(atom, neighbor)) add_pair_with(atom, neighbor);
-    }
-  }
-
- private:
-  // Once a pair, not once from each end.
-  [[nodiscard]] static bool is_first_of_pair(std::uint32_t atom, const Neighbor& neighbor) {
-    if (neighbor.atom != atom) return neighbor.atom > atom;
-    return neighbor.image > std::array<std::int32_t, 3>{0, 0, 0};
-  }
-
-  // How much of the energy is there by the bond order the two would have, [Stuart2000, eq. 9].
-  struct Approach {
-    double share;
-    double slope_distance;
-    double slope_bond_order;
-  };
-
-  [[nodiscard]] Approach approach(const Pair& pair, const NonbondedParameters& p) const {
-    const ValueAndSlope far = cubic_rise(pair.distance, p.approach);
-    if (far.value == 1.0) return {1.0, 0.0, 0.0};
-    const double order = BondOrder(bonds_, stuart_2000, nullptr).bond_order(pair, 0.0);
-    const ValueAndSlope bonded = cubic_rise(order, p.bond_order);
-    // S(t_r) S(t_b) + 1 - S(t_r) with S = 1 - rise.
-    return {1.0 - (1.0 - far.value) * bonded.value, far.slope * bonded.value,
-            -(1.0 - far.value) * bonded.slope};
-  }
+  /// Goes on to the pairs of another atom.
+  void start_from(std::uint32_t atom) { paths_.start_from(atom); }
 
   void add_pair_with(std::uint32_t atom, const Neighbor& neighbor) {
     const Path* path = paths_.to(neighbor.atom, neighbor.image);
@@ -136,6 +110,24 @@ class NearPairs {
     if (path != nullptr) add_slopes_of_path(*path, -energy.value * approached.share);
   }
 
+ private:
+  // How much of the energy is there by the bond order the two would have, [Stuart2000, eq. 9].
+  struct Approach {
+    double share;
+    double slope_distance;
+    double slope_bond_order;
+  };
+
+  [[nodiscard]] Approach approach(const Pair& pair, const NonbondedParameters& p) const {
+    const ValueAndSlope far = cubic_rise(pair.distance, p.approach);
+    if (far.value == 1.0) return {1.0, 0.0, 0.0};
+    const double order = BondOrder(bonds_, stuart_2000, nullptr).bond_order(pair, 0.0);
+    const ValueAndSlope bonded = cubic_rise(order, p.bond_order);
+    // S(t_r) S(t_b) + 1 - S(t_r) with S = 1 - rise.
+    return {1.0 - (1.0 - far.value) * bonded.value, far.slope * bonded.value,
+            -(1.0 - far.value) * bonded.slope};
+  }
+
   void add_slopes_of_path(const Path& path, double weight) {
     for (std::size_t k = 0; k < path.length; ++k) {
       const std::size_t bond = path.bonds[k];
@@ -157,13 +149,30 @@ class NearPairs {
   Paths paths_;
 };
 
-void add_lennard_jones(const Atoms& atoms, const Bonds& bonds, EnergyForces& result) {
+// Once a pair, not once from each end.
+[[nodiscard]] bool is_first_of_pair(const GridPoint& from, const GridPoint& to) {
+  if (to.atom != from.atom) return to.atom > from.atom;
+  return image_between(from, to) > std::array<std::int32_t, 3>{0, 0, 0};
+}
+
+void add_near_pairs(const Atoms& atoms, const Bonds& bonds, EnergyForces& result) {
   Gradient gradient(bonds, result);
   NearPairs pairs(bonds, gradient, result);
-  const NeighborList neighbors(atoms, longest_path);
-  for (std::uint32_t i = 0; i < atoms.size(); ++i) pairs.add_pairs_of(i, neighbors[i]);
+  const CellGrid grid(atoms, longest_path * rounding_margin);
+  std::optional<std::size_t> center;
+  grid.for_each_neighbor(
+      0, grid.points().size(),
+      [&](std::size_t p, std::size_t q, const Eigen::Vector3d& separation, double r2) {
+        const GridPoint& from = grid.points()[p];
+        const GridPoint& to = grid.points()[q];
+        if (!is_first_of_pair(from, to)) return;
+        if (!is_nearer(atoms, from, to, {r2, longest_path * longest_path})) return;
+        if (center != p) pairs.start_from(from.atom);
+        center = p;
+        pairs.add_pair_with(from.atom,
+                            {to.atom, image_between(from, to), separation, std::sqrt(r2)});
+      });
   gradient.finish();
-  add_far_pairs(atoms, result);
 }
 
 void add_torsion(const Bonds& bonds, EnergyForces& result) {
@@ -190,7 +199,10 @@ EnergyForces airebo(const Atoms& atoms, const AireboOptions& options) {
   EnergyForces result = std::move(evaluator).take_result();
   if (!options.lennard_jones && !options.torsion) return result;
   const Bonds bonds(atoms, stuart_2000);
-  if (options.lennard_jones) add_lennard_jones(atoms, bonds, result);
+  if (options.lennard_jones) {
+    add_near_pairs(atoms, bonds, result);
+    add_far_pairs(atoms, result);
+  }
   if (options.torsion) add_torsion(bonds, result);
   return result;
 }

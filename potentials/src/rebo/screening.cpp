@@ -7,9 +7,10 @@ void Paths::start_from(std::uint32_t atom) {
   extend({.atom = atom, .image = {0, 0, 0}, .strength = 1.0, .bonds = {}, .length = 0});
 }
 
-// Walks that turn back are weaker than those that do not, and lose against them.
+// Walks that turn back are weaker than those that do not: left out.
 void Paths::extend(const Path& path) {
   for (const std::size_t b : bonds_.from(path.atom)) {
+    if (path.length > 0 && bonds_[b].reverse == path.bonds[path.length - 1]) continue;
     Path longer = path;
     longer.atom = bonds_[b].to;
     for (std::size_t k = 0; k < 3; ++k) longer.image[k] += bonds_[b].image[k];
