@@ -70,13 +70,13 @@ TEST(Rebo, GivesTheKnownEnergiesOfFullerenesAndTubes) {
   EXPECT_NEAR(energy_per_atom("relaxed_tube_10_10"), -7.35586, digits);
 }
 
-// LAMMPS users find 5.12 eV for 960 atoms in a box that stays. How the sheet buckles decides about
-// some hundredths: relaxed in LAMMPS, the sheet here keeps 5.159 eV, flat it would be 5.346 eV.
+// 5.12 eV for 960 atoms in a box that stays, 30 x 8 cells of four atoms, buckled. How sheets buckle
+// and their shape decide about a tenth: 5.13 to 5.20 eV in other boxes of 960 atoms, 5.30 to 5.37
+// eV flat.
 TEST(Rebo, GivesTheKnownEnergyOfAStoneWalesDefect) {
   constexpr double graphene = -7.39499725165;
   const double cost = 960.0 * (energy_per_atom("relaxed_stone_wales_960") - graphene);
-  EXPECT_NEAR(cost, 5.12, 0.05);
-  EXPECT_NEAR(cost, 5.159, 0.0005);
+  EXPECT_NEAR(cost, 5.12, 0.005);
 }
 
 }  // namespace
