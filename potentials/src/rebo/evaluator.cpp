@@ -243,10 +243,15 @@ bool Evaluator::is_regular(std::uint32_t atom, const Surroundings& in) {
   const Candidates& c = *candidates_;
   if (c.species[atom] != Species::carbon) return false;
   const std::uint32_t first = c.first[atom];
+  const std::uint32_t* const ends = &c.point[first];
+  const auto count = static_cast<std::uint32_t>(c.count());
+  const Eigen::Vector3d center = in.position(atom);
   const auto bonds = regular_bonds(
       parameters_.bond(Species::carbon, Species::carbon).cutoff, c.first[atom + 1] - first,
-      [&](std::uint32_t k) { return in.separation(atom, first + k); },
-      [&](std::uint32_t k) { return c.species[c.home(c.point[first + k])] == Species::carbon; });
+      [&](std::uint32_t k) -> Eigen::Vector3d {
+        return ends[k] < count ? in.position(ends[k]) - center : in.separation(atom, first + k);
+      },
+      [&](std::uint32_t k) { return c.species[c.home(ends[k])] == Species::carbon; });
   if (bonds) bonded_[atom] = *bonds;
   return bonds.has_value();
 }
