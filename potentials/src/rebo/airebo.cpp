@@ -24,17 +24,20 @@ using namespace rebo_detail;  // NOLINT(google-build-using-namespace): the parts
   return nonbonded_2000[static_cast<std::size_t>(a) + static_cast<std::size_t>(b)];
 }
 
-// 4ε[(σ/r)^12 - (σ/r)^6], switched off smoothly before 3σ.
-[[nodiscard]] inline ValueAndSlope lennard_jones_energy(double r, const NonbondedParameters& p) {
-  const double inverse = p.sigma / r;
-  const double sixth = inverse * inverse * inverse * inverse * inverse * inverse;
+// 4ε[(σ/r)^12 - (σ/r)^6], switched off smoothly before 3σ; with its slope in r², which needs no
+// root of it.
+[[nodiscard]] inline ValueAndSlope lennard_jones_energy(double r2, const NonbondedParameters& p) {
+  const double inverse = 1.0 / r2;
+  const double second = p.sigma * p.sigma * inverse;
+  const double sixth = second * second * second;
   const ValueAndSlope full = {4.0 * p.epsilon * sixth * (sixth - 1.0),
-                              -24.0 * p.epsilon * sixth * (2.0 * sixth - 1.0) / r};
+                              -12.0 * p.epsilon * sixth * (2.0 * sixth - 1.0) * inverse};
   const Range end = {nonbonded_end.begin * p.sigma, nonbonded_end.end * p.sigma};
-  if (r <= end.begin) return full;
+  if (r2 <= end.begin * end.begin) return full;
+  const double r = std::sqrt(r2);
   const ValueAndSlope rise = cubic_rise(r, end);
   return {full.value * (1.0 - rise.value),
-          full.slope * (1.0 - rise.value) - full.value * rise.slope};
+          full.slope * (1.0 - rise.value) - full.value * 0.5 * r * inverse * rise.slope};
 }
 
 void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double energy) {
@@ -56,10 +59,9 @@ void add_far_pairs(const Atoms& atoms, EnergyForces& result) {
           const GridPoint& from = grid.points()[p];
           const GridPoint& to = grid.points()[q];
           if (is_nearer(atoms, from, to, {r2, nearest})) return;
-          const double r = std::sqrt(r2);
           const ValueAndSlope pair =
-              lennard_jones_energy(r, nonbonded(atoms.species[from.atom], atoms.species[to.atom]));
-          const Eigen::Vector3d force = pair.slope / r * separation;
+              lennard_jones_energy(r2, nonbonded(atoms.species[from.atom], atoms.species[to.atom]));
+          const Eigen::Vector3d force = 2.0 * pair.slope * separation;
           result.energies[from.atom] += 0.5 * pair.value;
           result.forces[from.atom] += force;
           sum.energy += 0.5 * pair.value;
@@ -94,15 +96,17 @@ class NearPairs {
                        .distance = neighbor.distance,
                        .as_if = stuart_2000.bond(a, b).cutoff.begin,
                        .bond = bond_between(atom, neighbor)};
-    const ValueAndSlope energy = lennard_jones_energy(pair.distance, nonbonded(a, b));
+    const ValueAndSlope energy =
+        lennard_jones_energy(pair.distance * pair.distance, nonbonded(a, b));
     const Approach approached = approach(pair, nonbonded(a, b));
     const double free = 1.0 - strength;
     add_pair(result_, atom, neighbor.atom, free * energy.value * approached.share);
 
-    const double slope =
-        free * (energy.slope * approached.share + energy.value * approached.slope_distance);
+    const double slope_over_distance =
+        free * (2.0 * energy.slope * approached.share +
+                energy.value * approached.slope_distance / pair.distance);
     gradient_.add_separation(pair.from, pair.to, pair.separation,
-                             slope / pair.distance * pair.separation);
+                             slope_over_distance * pair.separation);
     const double slope_order = free * energy.value * approached.slope_bond_order;
     if (slope_order != 0.0) {
       (void)BondOrder(bonds_, stuart_2000, &gradient_).bond_order(pair, slope_order);

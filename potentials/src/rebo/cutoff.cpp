@@ -13,12 +13,4 @@ ValueAndSlope cosine_switch(double x, Range range) {
   return {0.5 * (1.0 + std::cos(phase)), -0.5 * rate * std::sin(phase)};
 }
 
-ValueAndSlope cubic_rise(double x, Range range) {
-  if (x <= range.begin) return {0.0, 0.0};
-  if (x >= range.end) return {1.0, 0.0};
-  const double width = range.end - range.begin;
-  const double t = (x - range.begin) / width;
-  return {t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / width};
-}
-
 }  // namespace trivalent::potentials::rebo_detail
