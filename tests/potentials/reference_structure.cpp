@@ -143,8 +143,7 @@ Tolerance tolerance_of(const ReferenceStructure& reference) {
   Tolerance tolerance = {.energy = exact ? 1e-12 * energy + 1e-10 : 1e-10 * scale,
                          .atom_energy = std::max(1e-8, 16.0 * rounding_of(reference))};
   // LAMMPS takes dihedral factors |T| <= 1e-9 for zero, their derivatives of 1e-5 eV with them.
-  if (reference.name.find("_dropped_terms") != std::string::npos)
-    tolerance.relative_force = 1e-6;
+  if (reference.name.find("_dropped_terms") != std::string::npos) tolerance.relative_force = 1e-6;
   return tolerance;
 }
 
