@@ -1,12 +1,12 @@
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <ostream>
 
 #include "build_input.h"
+#include "build_report.h"
 #include "command.h"
 #include "files.h"
+#include "relax_report.h"
 #include "remesh_options.h"
 #include "report_page.h"
 #include "reports.h"
@@ -24,6 +24,7 @@
 #include "trivalent/dual/vtp.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
+#include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
@@ -32,39 +33,8 @@
 namespace trivalent::apps {
 namespace {
 
-/// Seconds of every step, in order.
-class Stopwatch {
- public:
-  void finish(const std::string& step) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds_[step] = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-  [[nodiscard]] const Json& seconds() const { return seconds_; }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  Json seconds_ = Json::object();
-};
-
-/// Everything known about a shell that was built; lengths in Å.
-struct BuildRecord {
-  std::vector<std::string> notes = {};
-  double wrap_offset = 0.0;  ///< 0 if the input was not wrapped
-  remesh::MeshQuality input_quality = {};
-  remesh::TriMesh original = {};  ///< the input surface at the shell's scale
-  dual::Shell shell = {};
-  remesh::MeshQuality quality = {};
-  remesh::MeshComponents components = {};
-  remesh::TwoSidedDistance distance = {};
-  dual::NetworkReport network = {};  ///< of the carbon atoms
-  dual::HydrogenCaps caps = {};
-  potentials::EnergyForces energy = {};
-  std::optional<dual::ShellState> before = {};  ///< the dual of the input
-  dual::ShellState after = {};
-  Stopwatch stopwatch = {};
-  int exit_code = done;  ///< of a build that was stopped early: 128 + the signal
-};
+// A shell that is not at rest by then is caught somewhere: `trivalent relax` can go on.
+constexpr int most_relaxation_steps = 3000;
 
 Grammar grammar_of_build() {
   Grammar grammar = {.arguments = {"SHAPE"},
@@ -75,10 +45,11 @@ Grammar grammar_of_build() {
   po::options_description remeshing("Remeshing");
   add_remesh_options(remeshing);
   po::options_description files("Output");
-  grammar.options.add_options()("cap", with_default(std::string("none")),
-                                "hydrogen: puts H on the atoms at the edge of an open shell");
-  files.add_options()("output,o", po::value<std::string>(),
-                      "folder for the results; must be given")  //
+  files.add_options()                                                                  //
+      ("output,o", po::value<std::string>(), "folder for the results; must be given")  //
+      ("cap", with_default(std::string("none")),
+       "hydrogen: puts H on the atoms at the edge of an open shell")  //
+      ("no-relax", "leave the atoms where the dual puts them")        //
       ("dry-run", "only tell what would be built, and whether it can be");
   add_file_options(files);
   grammar.options.add(mending).add(remeshing).add(files);
@@ -132,14 +103,64 @@ void cap_edges(BuildRecord& record) {
   }
 }
 
-void measure_energy_after(BuildRecord& record) {
+/// What is to be seen of the shell as it is now.
+dual::ShellState shell_state(std::string name, const BuildRecord& record) {
   const dual::Network& network = record.shell.network;
-  record.energy = potentials::rebo(dual::carbon_atoms(network));
-  record.after = dual::network_state("shell", network);
-  dual::add_energies(record.after, record.energy.energies, dual::graphene_energy);
-  record.after.maps.push_back(
+  dual::ShellState state = dual::network_state(std::move(name), network);
+  dual::add_energies(state, record.energy.energies, dual::graphene_energy);
+  state.maps.push_back(
       dual::distance_map("surface_distance", "distance to the input surface",
                          remesh::distances_to_surface(network.positions, record.original)));
+  return state;
+}
+
+void measure_energy_after(BuildRecord& record) {
+  record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
+  record.after = shell_state("shell", record);
+}
+
+/// The network without what caps its edge.
+dual::Network carbon_network(dual::Network network) {
+  const std::size_t carbons =
+      network.positions.size() - static_cast<std::size_t>(network.hydrogens);
+  network.positions.resize(carbons);
+  std::erase_if(network.bonds, [&](const std::array<int, 2>& bond) {
+    return static_cast<std::size_t>(bond[1]) >= carbons;
+  });
+  network.hydrogens = 0;
+  return network;
+}
+
+/// Brings the atoms of the shell to rest under REBO. A stop keeps them where they have come.
+void relax_shell(const StopRequest& stop, const Session& session, BuildRecord& record) {
+  dual::Network& network = record.shell.network;
+  const std::vector<Eigen::Vector3d> before = network.positions;
+  const potentials::Atoms atoms = dual::carbon_atoms(network);
+  const auto bonds = potentials::bonds_between(atoms, network.bonds);
+  potentials::Rebo rebo;
+  RelaxLine line(session.terminal);
+  record.relaxed =
+      potentials::relax(atoms,
+                        [&](const potentials::Atoms& moved) -> const potentials::EnergyForces& {
+                          return rebo.evaluate(moved);
+                        },
+                        {.max_steps = most_relaxation_steps,
+                         .bonds = bonds,
+                         .on_progress = [&](const potentials::RelaxProgress& state) {
+                           line.show(state);
+                           return !stop.is_made();
+                         }});
+  record.unrelaxed = std::move(record.after);
+  record.unrelaxed->name = "dual, not relaxed";
+  record.relaxation = report_relaxation(before, bonds, *record.relaxed);
+  for (std::string& note : relax_notes(record.relaxation, *record.relaxed)) {
+    record.notes.push_back(std::move(note));
+  }
+  network.positions = record.relaxed->atoms.positions;
+  record.network = dual::check_network(carbon_network(network));
+  record.energy = record.relaxed->result;
+  record.after = shell_state("relaxed shell", record);
+  record.after.maps.push_back(dual::displacement_map(before, network.positions));
 }
 
 void note_findings(BuildRecord& record) {
@@ -180,7 +201,6 @@ BuildRecord build(const Session& session) {
     record.notes.push_back(stopped_note(record.shell.surface));
     record.exit_code = stop->exit_code();
   }
-  stop.reset();  // from here on there is nothing to keep
   record.stopwatch.finish("remesh_and_dual");
   record.wrap_offset = input.wrap_offset * record.shell.scale;
   record.components = remesh::find_components(record.shell.surface.mesh);
@@ -197,6 +217,11 @@ BuildRecord build(const Session& session) {
   measure_energy_before(record);
   record.stopwatch.finish("energies");
   note_findings(record);
+  if (session.has("no-relax")) return record;
+  if (!stop) stop.emplace();
+  relax_shell(*stop, session, record);
+  record.exit_code = stop->exit_code();
+  record.stopwatch.finish("relax");
   return record;
 }
 
@@ -208,6 +233,7 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
   dual::XyzFrame frame = shell_frame(network);
   frame.columns.push_back({.name = "component", .values = record.components.of_face});
   add_energies(frame, record.energy);
+  if (record.unrelaxed) add_displacements(frame, record.unrelaxed->atoms.positions);
   dual::write_xyz(folder / "shell.extxyz", frame, digits(session));
 
   const dual::LammpsData data = {.atoms = frame.atoms, .bonds = network.bonds};
@@ -220,76 +246,6 @@ void write_files(const std::filesystem::path& folder, const BuildRecord& record,
   dual::write_vtp(folder / "energy.vtp", record.after);
 }
 
-dual::EnergySummary summary_of(const dual::ShellState& state) {
-  return dual::summarize_energies(state.find("energy")->values, 0);
-}
-
-Json energy_json(const dual::EnergySummary& summary) {
-  return {{"energy", summary.total},
-          {"energy_per_atom", summary.mean},
-          {"excess_per_atom", summary.excess()},
-          {"lowest", summary.lowest},
-          {"highest", summary.highest}};
-}
-
-Json options_json(const Session& session) {
-  Json json = Json::object();
-  for (const auto& [name, value] : session.values) {
-    if (const auto* text = boost::any_cast<std::string>(&value.value())) json[name] = *text;
-    if (const auto* number = boost::any_cast<double>(&value.value())) json[name] = *number;
-    if (const auto* count = boost::any_cast<int>(&value.value())) json[name] = *count;
-  }
-  return json;
-}
-
-Json report_json(const BuildRecord& record, const Session& session) {
-  const auto after = summary_of(record.after);
-  Json json = {{"program", "trivalent"},
-               {"version", TRIVALENT_VERSION},
-               {"input", session.get<std::string>("SHAPE")},
-               {"options", options_json(session)},
-               {"notes", record.notes},
-               {"wrap_offset", record.wrap_offset},
-               {"scale", record.shell.scale},
-               {"target_edge_length", record.shell.target_edge_length * record.shell.scale},
-               {"remeshings", record.shell.remeshings},
-               {"iterations", record.shell.surface.iterations},
-               {"input_quality", quality_json(record.input_quality)},
-               {"quality", quality_json(record.quality)},
-               {"components", components_json(record.components)},
-               {"distance", distance_json(record.distance)},
-               {"network", network_json(record.network)},
-               {"hydrogens", record.caps.hydrogens}};
-  json["energy"] = {{"potential", "rebo"}, {"unit", "eV"}, {"after", energy_json(after)}};
-  json["energy"]["before"] =
-      record.before ? energy_json(summary_of(*record.before)) : Json(nullptr);
-  json["energy"]["scale"] = scale_json(record.after.find("energy")->scale);
-  json["seconds"] = record.stopwatch.seconds();
-  return json;
-}
-
-std::string energy_text(const dual::EnergySummary& summary) {
-  return "mean " + decimals(summary.mean, 4) + ", worst " + decimals(summary.highest, 4) +
-         " eV, above graphene " + decimals(1000.0 * summary.excess(), 1) + " meV/atom";
-}
-
-std::vector<TableRow> summary_rows(const BuildRecord& record) {
-  std::vector<TableRow> rows = {{"surface [Å]"}};
-  append(rows, quality_rows(record.quality));
-  append(rows, components_rows(record.components));
-  append(rows, distance_rows(record.distance));
-  rows.push_back({"shell"});
-  append(rows, network_rows(record.network));
-  rows.push_back({"REBO energy per atom"});
-  if (record.before) {
-    rows.push_back({record.before->name, energy_text(summary_of(*record.before))});
-  }
-  const auto after = summary_of(record.after);
-  rows.push_back({record.after.name, energy_text(after)});
-  rows.push_back({"total", decimals(after.total, 8) + " eV"});
-  return rows;
-}
-
 /// Tells what a build would come to.
 int plan_only(const Session& session) {
   std::optional<StopRequest> stop;
@@ -299,28 +255,6 @@ int plan_only(const Session& session) {
   const BuildPlan plan = plan_build(input.mesh, options);
   session.terminal.print({.table = plan_rows(plan), .json = plan_json(plan)});
   return plan.obstacles.empty() ? done : failed;
-}
-
-/// Takes the record apart: nothing of it is needed afterwards.
-dual::ShellPage report_page(BuildRecord& record, const Session& session) {
-  const std::string& shape = session.get<std::string>("SHAPE");
-  dual::ShellPage page = {.title = std::filesystem::path(shape).filename().string(),
-                          .notes = record.notes,
-                          .parameters = page_rows(options_json(session)),
-                          .results = page_rows(summary_rows(record))};
-  // A dual much larger than the shell would only weigh the page down.
-  constexpr std::size_t always_welcome = 250000;
-  if (record.before &&
-      record.before->atoms.size() <= std::max(always_welcome, record.after.atoms.size())) {
-    page.states.push_back(std::move(*record.before));
-  } else if (record.before) {
-    page.notes.push_back("the dual of the input has " +
-                         std::to_string(record.before->atoms.size()) +
-                         " atoms, too many to be shown beside the shell");
-  }
-  page.states.push_back(std::move(record.after));
-  page.surface = std::move(record.original);
-  return page;
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
