@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "files.h"
+#include "lammps_engine.h"
 #include "potential_options.h"
 #include "reports.h"
 #include "session.h"
@@ -20,6 +21,7 @@ constexpr std::array<std::string_view, 4> energy_extensions = {".extxyz", ".xyz"
 Grammar grammar_of_energy() {
   Grammar grammar = {.arguments = {"FILE"}, .options = po::options_description("Options")};
   add_potential_options(grammar.options);
+  add_engine_options(grammar.options);
   grammar.options.add_options()                    //
       ("forces", "report forces, and write them")  //
       ("output,o", po::value<std::string>(),
@@ -130,9 +132,16 @@ void check_options(const Session& session) {
   static_cast<void>(digits(session));
   check_structure_options(session);
   check_potential(session);
+  check_engine(session);
   if (session.has("output")) {
     check_output(session.get<std::string>("output"), energy_extensions);
   }
+}
+
+potentials::EnergyForces energy_of(const potentials::Atoms& atoms, const Session& session) {
+  if (!uses_lammps(session)) return evaluate(atoms, session);
+  const auto folder = std::filesystem::temp_directory_path() / "trivalent-lammps";
+  return run_lammps(atoms, {}, folder, session).result;
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
@@ -140,7 +149,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session) return done;
   check_options(*session);
   const Structure structure = read_structure(session->get<std::string>("FILE"), *session);
-  const potentials::EnergyForces energy = evaluate(structure.frame.atoms, *session);
+  const potentials::EnergyForces energy = energy_of(structure.frame.atoms, *session);
   dual::ShellState state = state_of(structure);
   dual::add_energies(state, energy.energies, graphene_reference(*session));
   if (session->has("output")) write_result(structure, state, energy, *session);

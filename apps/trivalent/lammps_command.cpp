@@ -1,8 +1,8 @@
-#include <cstdlib>
 #include <filesystem>
 
 #include "command.h"
 #include "files.h"
+#include "lammps_engine.h"
 #include "potential_options.h"
 #include "session.h"
 #include "shell_files.h"
@@ -12,8 +12,6 @@
 
 namespace trivalent::apps {
 namespace {
-
-constexpr std::string_view potential_name = "CH.rebo";
 
 Grammar grammar_of_lammps() {
   Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
@@ -30,31 +28,6 @@ Grammar grammar_of_lammps() {
   return grammar;
 }
 
-bool is_where_lammps_looks() {
-  const char* folder = std::getenv("LAMMPS_POTENTIALS");
-  for (const std::filesystem::path place :
-       {folder != nullptr ? folder : ".", "/usr/share/lammps/potentials"}) {
-    if (std::filesystem::exists(place / potential_name)) return true;
-  }
-  return false;
-}
-
-// The name of the potential file for the input scripts.
-std::string potential_file(const Session& session) {
-  if (const auto named = session.find<std::string>("potential-file")) {
-    if (!std::filesystem::is_regular_file(*named)) {
-      throw UsageError("--potential-file: there is no file '" + *named + "'");
-    }
-    return std::filesystem::absolute(*named).lexically_normal().string();
-  }
-  if (!is_where_lammps_looks()) {
-    session.terminal.note(
-        "CH.rebo is not on this machine; it comes with LAMMPS (Debian: lammps-data). Set "
-        "LAMMPS_POTENTIALS to its folder, or name it with --potential-file");
-  }
-  return std::string(potential_name);
-}
-
 dual::LammpsPackageOptions package_options(const Session& session) {
   const bool has_angles = session.has("angles");
   if (has_angles && atom_style(session) != dual::AtomStyle::molecular) {
@@ -62,7 +35,7 @@ dual::LammpsPackageOptions package_options(const Session& session) {
   }
   const auto compression = session.has("gzip") ? dual::Compression::gzip : dual::Compression::none;
   return {.data = {.style = atom_style(session), .angles = has_angles, .digits = digits(session)},
-          .potential_file = potential_file(session),
+          .potential_file = potential_file(session, "CH.rebo"),
           .compression = compression,
           .atoms_per_file = session.get<std::size_t>("atoms-per-file")};
 }

@@ -5,6 +5,7 @@
 #include "files.h"
 #include "fixed_atoms.h"
 #include "interruption.h"
+#include "lammps_engine.h"
 #include "potential_options.h"
 #include "relax_files.h"
 #include "relax_report.h"
@@ -30,9 +31,11 @@ Grammar grammar_of_relax() {
       ("max-force", with_default(defaults.max_force),
        "done once no atom has a larger force [eV/Å]")  //
       ("energy-change", with_default(defaults.energy_change),
-       "or once ten steps together gain less than this [eV per atom]; 0: never")         //
-      ("max-steps", with_default(defaults.max_steps), "or after so many steps")          //
-      ("minimizer", with_default(std::string("lbfgs")), "lbfgs or fire")                 //
+       "or once ten steps together gain less than this [eV per atom]; 0: never")  //
+      ("max-steps", with_default(defaults.max_steps), "or after so many steps")   //
+      ("minimizer", po::value<std::string>(),
+       "lbfgs (default) or fire; with --engine lammps one of its min_styles: cg (default), fire, "
+       "...")                                                                            //
       ("fix", po::value<std::vector<std::string>>(), fix_meaning)                        //
       ("relax-box", "let the periodic cell vectors relax too, until no stress is left")  //
       ("trajectory", po::value<std::string>(),
@@ -41,6 +44,7 @@ Grammar grammar_of_relax() {
       ("checkpoint-every", with_default(defaults.checkpoint_every),
        "steps from one checkpoint (OUT.extxyz.checkpoint) to the next; a run that was killed goes "
        "on from there when it is started again");
+  add_engine_options(grammar.options);
   add_potential_options(grammar.options);
   grammar.options.add_options()  //
       ("digits", with_default(std::string("decimals")), "of the output: decimals or 17");
@@ -52,7 +56,7 @@ Grammar grammar_of_relax() {
 }
 
 potentials::Minimizer minimizer(const Session& session) {
-  const auto& name = session.get<std::string>("minimizer");
+  const std::string name = session.find<std::string>("minimizer").value_or("lbfgs");
   if (name == "lbfgs") return potentials::Minimizer::lbfgs;
   if (name == "fire") return potentials::Minimizer::fire;
   throw UsageError("--minimizer is lbfgs or fire, not '" + name + "'");
@@ -111,10 +115,12 @@ potentials::Atoms resume_or_start(const Structure& structure, const std::string&
   return std::move(saved->atoms);
 }
 
-/// Relaxes the atoms, with checkpoint, trajectory and progress as the options want them.
-potentials::RelaxResult relax_structure(const Structure& structure,
-                                        const std::vector<potentials::Bond>& bonds,
-                                        const StopRequest& stop, const Session& session) {
+/// Relaxes the atoms, with checkpoint, trajectory and progress as the options want them. The exit
+/// code tells of a stop on the way.
+potentials::RelaxResult relax_here(const Structure& structure,
+                                   const std::vector<potentials::Bond>& bonds, int& exit_code,
+                                   const Session& session) {
+  const StopRequest stop;
   potentials::RelaxOptions options = relax_options(structure, bonds, session);
   const std::string mark = fingerprint(structure.frame.atoms, options, potential_text(session));
   std::optional<Trajectory> trajectory;
@@ -136,7 +142,23 @@ potentials::RelaxResult relax_structure(const Structure& structure,
   };
   auto relaxed = potentials::relax(std::move(atoms), std::cref(potential), options);
   if (trajectory && !stop.is_made()) trajectory->finish();
+  exit_code = stop.exit_code();
   return relaxed;
+}
+
+/// The same by LAMMPS, which has no gentle start: bonds may break.
+potentials::RelaxResult relax_with_lammps(const Structure& structure,
+                                          const std::vector<potentials::Bond>& bonds,
+                                          const Session& session) {
+  LammpsTask task = {.style = session.find<std::string>("minimizer").value_or("cg"),
+                     .max_force = session.get<double>("max-force"),
+                     .max_steps = session.get<int>("max-steps"),
+                     .relax_box = session.has("relax-box")};
+  if (const auto groups = session.find<std::vector<std::string>>("fix")) {
+    task.fixed = atoms_in_groups(*groups, structure.frame.atoms, bonds);
+  }
+  return run_lammps(structure.frame.atoms, task, session.get<std::string>("output") + ".lammps",
+                    session);
 }
 
 Result describe(const RelaxReport& report, const potentials::RelaxResult& relaxed,
@@ -172,13 +194,34 @@ void write_result(const Structure& structure, const potentials::RelaxResult& rel
   dual::write_xyz(session.get<std::string>("output"), frame, digits(session));
 }
 
+void check_minimization_by_lammps(const Session& session) {
+  constexpr std::array<std::string_view, 5> styles = {"cg", "fire", "hftn", "quickmin", "sd"};
+  const auto style = session.find<std::string>("minimizer");
+  if (style && std::ranges::find(styles, *style) == styles.end()) {
+    throw UsageError("--minimizer with --engine lammps is cg, fire, hftn, quickmin or sd, not '" +
+                     *style + "'");
+  }
+  for (const std::string name : {"trajectory", "energy-change"}) {
+    if (!session.values[name].defaulted() && session.has(name)) {
+      throw UsageError("--" + name + " goes with --engine own");
+    }
+  }
+  if (!(session.get<double>("max-force") > 0.0)) throw UsageError("--max-force must be > 0");
+  if (session.get<int>("max-steps") < 1) throw UsageError("--max-steps must be at least 1");
+}
+
 void check_options(const Session& session) {
   if (!session.has("output")) throw UsageError("-o must say into which file the result goes");
   check_output(session.get<std::string>("output"), relax_extensions);
   static_cast<void>(digits(session));
   check_structure_options(session);
   check_potential(session);
-  static_cast<void>(minimizer(session));
+  check_engine(session);
+  if (uses_lammps(session)) {
+    check_minimization_by_lammps(session);
+  } else {
+    static_cast<void>(minimizer(session));
+  }
   if (session.get<int>("every") < 1) throw UsageError("--every must be at least 1");
   if (session.has("trajectory")) {
     check_output(session.get<std::string>("trajectory"), relax_extensions);
@@ -191,15 +234,17 @@ int run(const Command& self, std::span<const std::string> arguments) {
   check_options(*session);
   const Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
   const auto bonds = network_bonds(structure, *session);
-  const StopRequest stop;
-  const potentials::RelaxResult relaxed = relax_structure(structure, bonds, stop, *session);
+  int exit_code = done;
+  const potentials::RelaxResult relaxed = uses_lammps(*session)
+                                              ? relax_with_lammps(structure, bonds, *session)
+                                              : relax_here(structure, bonds, exit_code, *session);
   write_result(structure, relaxed, *session);
   // A run that was stopped can be taken up again.
-  if (!stop.is_made()) std::filesystem::remove(checkpoint_path(*session));
+  if (exit_code == done) std::filesystem::remove(checkpoint_path(*session));
   const RelaxReport report = report_relaxation(structure.frame.atoms.positions, bonds, relaxed);
   session->terminal.notes(relax_notes(report, relaxed));
   session->terminal.print(describe(report, relaxed, *session));
-  return stop.exit_code();
+  return exit_code;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <ostream>
 
 #include "text_file.h"
@@ -53,8 +54,9 @@ void write_system(std::ostream& out, const LammpsDeckOptions& options) {
   const bool has_angles = is_molecular && options.angles;
   out << "units        metal\n"
       << "boundary    ";
-  // Shrink-wrapped where free: no atom can be lost.
-  for (const bool is_periodic : options.periodic) out << ' ' << (is_periodic ? 'p' : 's');
+  // Where free, the box grows with the atoms, so that none is lost; it does not shrink to nothing
+  // around a flat sheet.
+  for (const bool is_periodic : options.periodic) out << ' ' << (is_periodic ? 'p' : 'm');
   out << "\natom_style   " << (is_molecular ? "molecular" : "atomic") << '\n';
   if (is_molecular) {
     // By default LAMMPS leaves out pair forces between bonded atoms, which is all there is here.
@@ -65,7 +67,8 @@ void write_system(std::ostream& out, const LammpsDeckOptions& options) {
   write_data_commands(out, options);
   if (is_molecular) out << "bond_coeff   *\n";
   if (has_angles) out << "angle_coeff  *\n";
-  out << "pair_style   rebo\n"
+  const bool is_rebo = options.potential == LammpsPotential::rebo;
+  out << "pair_style   " << (is_rebo ? "rebo" : "airebo 3.0 1 1") << "\n"
       << "pair_coeff   * * ${potential} C" << (options.has_hydrogen ? " H" : "") << "\n\n";
 }
 
@@ -137,6 +140,54 @@ void write_dynamics(std::ostream& out) {
       << "write_restart md.restart\n";
 }
 
+// Ids from 1, consecutive ones as first:last.
+void write_fixed_atoms(std::ostream& out, const std::vector<std::uint32_t>& fixed) {
+  if (fixed.empty()) return;
+  for (std::size_t begin = 0; begin < fixed.size();) {
+    std::size_t end = begin + 1;
+    while (end < fixed.size() && fixed[end] == fixed[end - 1] + 1) ++end;
+    out << "group        fixed id " << fixed[begin] + 1 << ':' << fixed[end - 1] + 1 << '\n';
+    begin = end;
+  }
+  out << "fix          hold fixed setforce 0.0 0.0 0.0\n";
+}
+
+void write_box_relaxation(std::ostream& out, const std::array<bool, 3>& periodic, bool has_tilts) {
+  out << "fix          box all box/relax";
+  for (const std::size_t axis : {0, 1, 2}) {
+    if (periodic[axis]) out << ' ' << "xyz"[axis] << " 0.0";
+  }
+  // A tilt leads from its second axis towards the first.
+  if (has_tilts && periodic[1]) out << " xy 0.0";
+  if (has_tilts && periodic[2]) out << " xz 0.0 yz 0.0";
+  out << "\n";
+}
+
+void write_minimize(std::ostream& out, const LammpsDeckOptions& options,
+                    const LammpsMinimization& minimization) {
+  write_fixed_atoms(out, minimization.fixed);
+  if (minimization.relax_box) {
+    write_box_relaxation(out, options.periodic, minimization.has_tilts);
+  }
+  std::string force;
+  // LAMMPS looks at components.
+  append_real(force, minimization.max_force / std::sqrt(3.0), Digits::seventeen_significant);
+  out << "min_style    " << minimization.style << '\n'
+      << "min_modify   dmax 0.1 norm max\n"
+      << "minimize     0.0 " << force << ' ' << minimization.max_steps << ' '
+      << 10 * static_cast<std::int64_t>(minimization.max_steps) << '\n';
+  if (minimization.relax_box) out << "unfix        box\n";
+  if (!minimization.fixed.empty()) out << "unfix        hold\n";
+}
+
+void write_handover(std::ostream& out) {
+  out << "dump         result all custom 1 result.dump id xu yu zu fx fy fz c_energies\n"
+      << "dump_modify  result sort id format float %.17g\n"
+      << "run          0 post no\n"
+      << "print        \"box $(xlo:%.17g) $(ylo:%.17g) $(zlo:%.17g) $(xhi:%.17g) $(yhi:%.17g) "
+         "$(zhi:%.17g) $(xy:%.17g) $(xz:%.17g) $(yz:%.17g)\"\n";
+}
+
 }  // namespace
 
 void write_lammps_check(std::ostream& out, const LammpsDeckOptions& options) {
@@ -171,6 +222,20 @@ void write_lammps_dynamics(std::ostream& out, const LammpsDeckOptions& options) 
   write_coordination(out);
   write_warm_up(out, options);
   write_dynamics(out);
+}
+
+void write_lammps_minimization(std::ostream& out, const LammpsDeckOptions& options,
+                               const LammpsMinimization& minimization) {
+  check_options(options);
+  write_head(out, "Minimizes the energy and writes the result for trivalent.", options);
+  write_system(out, options);
+  if (minimization.ranks > 1) out << "comm_style   tiled\nbalance      1.1 rcb\n";
+  out << "compute      energies all pe/atom\n"
+      << "thermo       10\n"
+      << "thermo_style custom step pe fmax\n"
+      << "thermo_modify norm no format float %.15g\n";
+  if (minimization.max_steps > 0) write_minimize(out, options, minimization);
+  write_handover(out);
 }
 
 }  // namespace trivalent::dual

@@ -4,6 +4,7 @@
 
 namespace {
 
+using testing_support::Outcome;
 using testing_support::ProgramTest;
 
 class RelaxCommand : public ProgramTest {};
@@ -83,6 +84,76 @@ TEST_F(RelaxCommand, KeepsFixedAtoms) {
   for (const int id : {1, 2, 5}) EXPECT_EQ(line("out.extxyz", id), line("s.extxyz", id));
   EXPECT_NE(line("out.extxyz", 3), line("s.extxyz", 3));
 }
+
+#ifdef TRIVALENT_LMP
+TEST_F(RelaxCommand, LetsLammpsDoTheWork) {
+  succeed("shape sphere s.off --edge 0.3");
+  const auto ours = succeed("relax s.off -o ours.extxyz --json").json();
+  const auto theirs = succeed("relax s.off -o theirs.extxyz --engine lammps --json").json();
+  EXPECT_TRUE(theirs["relaxation"]["converged"].get<bool>());
+  EXPECT_NEAR(theirs["energy"], ours["energy"], 1e-5 * theirs["atoms"].get<double>());
+  EXPECT_NEAR(succeed("energy theirs.extxyz --json").json()["energy"], theirs["energy"], 1e-5);
+  EXPECT_EQ(shell("ls -d theirs.extxyz.lammps* 2> /dev/null").out, "");
+}
+
+TEST_F(RelaxCommand, LetsLammpsFixAtomsAndRelaxTheCell) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.extxyz");
+  succeed("relax s.extxyz -o out.extxyz --engine lammps --fix ids:1-2,5");
+  const auto line = [&](const std::string& name, int atom) {
+    std::istringstream in(content(name));
+    std::string text;
+    for (int k = 0; k < atom + 2; ++k) std::getline(in, text);
+    return text.substr(0, text.find(" 3 "));
+  };
+  for (const int id : {1, 2, 5}) EXPECT_EQ(line("out.extxyz", id), line("s.extxyz", id));
+  EXPECT_NE(line("out.extxyz", 3), line("s.extxyz", 3));
+
+  // 6 x 6 cells, in which LAMMPS can look for neighbors.
+  const double a = 2.48;
+  std::ostringstream text;
+  text.precision(17);
+  text << "72\nLattice=\"" << 6 * a << " 0 0 " << 3 * a << ' ' << 6 * a * std::sqrt(0.75)
+       << " 0 0 0 20\" Properties=species:S:1:pos:R:3 pbc=\"T T F\"\n";
+  for (int k = 0; k < 36; ++k) {
+    const double x = a * (k % 6 + k / 6 / 2.0);
+    const double y = a * std::sqrt(0.75) * (k / 6);
+    text << "C " << x << ' ' << y << " 0\nC " << x << ' ' << y + a / std::sqrt(3.0) << " 0\n";
+  }
+  write("g.extxyz", text.str());
+  const auto result =
+      succeed("relax g.extxyz -o g2.extxyz --engine lammps --relax-box --json").json();
+  EXPECT_NEAR(result["energy_per_atom"].get<double>(), -7.394997, 1e-5);
+}
+
+TEST_F(RelaxCommand, TellsWhatLammpsComplainsAbout) {
+  succeed("shape sphere s.off --edge 0.3");
+  write("broken.rebo", "nothing\n");
+  const std::string command = "relax s.off -o out.extxyz --engine lammps ";
+  expect_failure(1, "ERROR", command + "--relax-box");  // nothing is periodic
+  expect_failure(1, "LAMMPS failed", command + "--potential-file broken.rebo");
+  expect_failure(2, "--minimizer", command + "--minimizer lbfgs");
+  expect_failure(2, "--trajectory", command + "--trajectory t.extxyz");
+  expect_failure(2, "lj", command + "--potential lj");
+  expect_failure(2, "--ranks", command + "--ranks 0");
+  expect_failure(2, "--ranks", "relax s.off -o out.extxyz --ranks 2");
+  EXPECT_FALSE(has("out.extxyz"));
+  const Outcome run = shell("PATH=/nonexistent " TRIVALENT_PROGRAM " " + command);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("apt install lammps"), std::string::npos) << run.err;
+}
+#endif
+
+#ifdef TRIVALENT_MPIRUN
+TEST_F(RelaxCommand, LetsLammpsWorkInSeveralProcesses) {
+  succeed("shape torus s.off --edge 0.2");
+  const auto one = succeed("energy s.off --engine lammps --json").json();
+  const auto two = succeed("energy s.off --engine lammps --ranks 2 --json").json();
+  EXPECT_NEAR(one["energy"], two["energy"], 1e-9 * std::abs(one["energy"].get<double>()));
+  EXPECT_NEAR(one["energy"], succeed("energy s.off --json").json()["energy"],
+              1e-9 * std::abs(one["energy"].get<double>()));
+}
+#endif
 
 TEST_F(RelaxCommand, RefusesWhatMakesNoSense) {
   succeed("shape sphere s.off --edge 0.3");

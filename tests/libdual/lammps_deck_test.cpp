@@ -11,8 +11,11 @@ namespace {
 using WriteDeck = std::function<void(std::ostream&, const LammpsDeckOptions&)>;
 
 const std::vector<WriteDeck>& all_decks() {
-  static const std::vector<WriteDeck> decks = {write_lammps_check, write_lammps_relaxation,
-                                               write_lammps_dynamics};
+  static const std::vector<WriteDeck> decks = {
+      write_lammps_check, write_lammps_relaxation, write_lammps_dynamics,
+      [](std::ostream& out, const LammpsDeckOptions& options) {
+        write_lammps_minimization(out, options, {});
+      }};
   return decks;
 }
 
@@ -48,7 +51,7 @@ TEST(LammpsDeck, KnowsPeriodicDirectionsAndElements) {
       .data_files = {"a.data"}, .periodic = {true, true, false}, .has_hydrogen = true};
   for (const WriteDeck& write : all_decks()) {
     const std::string deck = text_of(write, options);
-    EXPECT_TRUE(has(deck, "boundary     p p s\n"));
+    EXPECT_TRUE(has(deck, "boundary     p p m\n"));
     EXPECT_TRUE(has(deck, "${potential} C H\n"));
   }
 }
