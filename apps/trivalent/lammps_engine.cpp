@@ -32,8 +32,8 @@ bool is_installed(const std::string& program) {
 
 void require_program(const std::string& program, const std::string& package) {
   if (is_installed(program)) return;
-  throw std::runtime_error("--engine lammps needs the program " + program +
-                           ", which is not in the path (Debian: apt install " + package + ")");
+  throw std::runtime_error("LAMMPS is to be run, but its program " + program +
+                           " is not in the path (Debian: apt install " + package + ")");
 }
 
 bool is_airebo(const Session& session) { return session.get<std::string>("potential") == "airebo"; }
@@ -50,7 +50,8 @@ std::string shell_word(const std::string& text) {
 }
 
 /// Runs a command line and hands over what it says, line by line; returns its exit code.
-int run_and_listen(const std::string& command, const std::function<void(const std::string&)>& hear) {
+int run_and_listen(const std::string& command,
+                   const std::function<void(const std::string&)>& hear) {
   FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot start: " + command);
   std::string line;
@@ -151,8 +152,7 @@ void write_input(const potentials::Atoms& atoms, const LammpsTask& task, const f
       .data_files = {"atoms.data"},
       .periodic = atoms.box.periodic,
       .has_hydrogen = has_hydrogen(atoms),
-      .potential =
-          is_airebo(session) ? dual::LammpsPotential::airebo : dual::LammpsPotential::rebo,
+      .potential = is_airebo(session) ? dual::LammpsPotential::airebo : dual::LammpsPotential::rebo,
       .potential_file = potential_file(session, usual_potential_file(session))};
   const dual::LammpsMinimization minimization = {.style = task.style,
                                                  .max_force = task.max_force,
@@ -217,12 +217,17 @@ double largest_force(const std::vector<Eigen::Vector3d>& forces,
 
 }  // namespace
 
-void add_engine_options(po::options_description& options) {
-  options.add_options()  //
-      ("engine", with_default(std::string("own")), "who computes: own, or lammps (its program lmp)")  //
-      ("ranks", with_default(1), "MPI processes of --engine lammps, >= 1")  //
+void add_lammps_options(po::options_description& options) {
+  options.add_options()                                            //
+      ("ranks", with_default(1), "MPI processes of LAMMPS, >= 1")  //
       ("potential-file", po::value<std::string>(),
-       "for --engine lammps: CH.rebo or CH.airebo; default: LAMMPS finds it");
+       "CH.rebo or CH.airebo for LAMMPS; default: it finds them itself");
+}
+
+void add_engine_options(po::options_description& options) {
+  options.add_options()("engine", with_default(std::string("own")),
+                        "who computes: own, or lammps (its program lmp)");
+  add_lammps_options(options);
 }
 
 bool uses_lammps(const Session& session) {
@@ -231,21 +236,22 @@ bool uses_lammps(const Session& session) {
   throw UsageError("--engine is own or lammps, not '" + engine + "'");
 }
 
-void check_engine(const Session& session) {
+void check_lammps(const Session& session) {
   const int ranks = session.get<int>("ranks");
   if (ranks < 1) throw UsageError("--ranks must be at least 1");
-  if (!uses_lammps(session)) {
-    if (ranks > 1) throw UsageError("--ranks goes with --engine lammps");
-    if (session.has("potential-file")) {
-      throw UsageError("--potential-file goes with --engine lammps");
-    }
-    return;
-  }
   if (session.get<std::string>("potential") == "lj") {
-    throw UsageError("--engine lammps knows the potentials rebo and airebo, not lj");
+    throw UsageError("LAMMPS is asked for the potentials rebo and airebo only, not lj");
   }
   require_program("lmp", "lammps");
   if (ranks > 1) require_program("mpirun", "openmpi-bin");
+}
+
+void check_engine(const Session& session) {
+  if (uses_lammps(session)) {
+    check_lammps(session);
+  } else if (session.get<int>("ranks") != 1 || session.has("potential-file")) {
+    throw UsageError("--ranks and --potential-file go with --engine lammps");
+  }
 }
 
 std::string potential_file(const Session& session, const std::string& usual_name) {
@@ -270,9 +276,8 @@ potentials::RelaxResult run_lammps(const potentials::Atoms& atoms, const LammpsT
   const fs::path folder = make_folder_of_our_own(name);
   write_input(atoms, task, folder, session);
   LammpsOutput output(task, session.terminal);
-  const int exit_code =
-      run_and_listen(command_line(folder, session.get<int>("ranks")),
-                     [&](const std::string& line) { output.hear(line); });
+  const int exit_code = run_and_listen(command_line(folder, session.get<int>("ranks")),
+                                       [&](const std::string& line) { output.hear(line); });
   if (exit_code != 0) {
     throw std::runtime_error("LAMMPS failed: " + output.complaint() + " (its files are in " +
                              folder.string() + ")");

@@ -10,7 +10,10 @@
 
 namespace trivalent::apps {
 
-/// --engine, --ranks and --potential-file, for commands whose work LAMMPS can do instead of us.
+/// --ranks and --potential-file: how LAMMPS is to be run.
+void add_lammps_options(po::options_description& options);
+
+/// The same and --engine, for commands whose work LAMMPS can do instead of us.
 void add_engine_options(po::options_description& options);
 
 /// Whether LAMMPS is to do the work.
@@ -20,6 +23,9 @@ void add_engine_options(po::options_description& options);
 ///
 /// @throws UsageError if the options make no sense, or the potential is not one of LAMMPS's here.
 /// @throws std::runtime_error if lmp or mpirun is needed and not installed.
+void check_lammps(const Session& session);
+
+/// The same if LAMMPS is to do the work, else that nothing is said about LAMMPS.
 void check_engine(const Session& session);
 
 /// --potential-file as input scripts name it: an absolute path, or the bare name of the file that
@@ -28,9 +34,9 @@ void check_engine(const Session& session);
 
 /// What LAMMPS is to do.
 struct LammpsTask {
-  std::string style = "cg";  ///< LAMMPS's min_style
-  double max_force = 1e-3;   ///< [eV/Å]
-  int max_steps = 0;         ///< 0: only energies and forces
+  std::string style = "cg";               ///< LAMMPS's min_style
+  double max_force = 1e-3;                ///< [eV/Å]
+  int max_steps = 0;                      ///< 0: only energies and forces
   std::vector<std::uint32_t> fixed = {};  ///< atoms that stay, ascending
   bool relax_box = false;
 };
