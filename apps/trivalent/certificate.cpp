@@ -13,8 +13,8 @@ namespace trivalent::apps {
 namespace {
 
 // What bonds of a carbon net at rest stay well within.
-constexpr double shortest_sound_bond = 1.25;  // [Å]
-constexpr double longest_sound_bond = 1.75;   // [Å]
+constexpr double shortest_sound_bond = 1.25;   // [Å]
+constexpr double longest_sound_bond = 1.75;    // [Å]
 constexpr double smallest_sound_angle = 85.0;  // [degree]
 constexpr double largest_sound_angle = 155.0;  // [degree]
 // Where REBO ends: two atoms that are nearer pull at each other without a bond.
@@ -87,10 +87,9 @@ void check_topology(const Structure& structure, const Session& session, Certific
   const auto bonds = potentials::bonds_between(atoms, structure.network.bonds);
   const auto changes = potentials::bond_changes(atoms, bonds);
   if (!changes.broken.empty() || !changes.formed.empty()) {
-    problems.push_back(std::to_string(changes.broken.size()) +
-                       " bonds of the file are longer than 2 Å, and " +
-                       std::to_string(changes.formed.size()) +
-                       " pairs without a bond in the file are nearer");
+    problems.push_back(
+        std::to_string(changes.broken.size()) + " bonds of the file are longer than 2 Å, and " +
+        std::to_string(changes.formed.size()) + " pairs without a bond in the file are nearer");
   }
 }
 

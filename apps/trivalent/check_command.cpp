@@ -14,9 +14,8 @@ namespace trivalent::apps {
 namespace {
 
 Grammar grammar_of_check() {
-  Grammar grammar = {.arguments = {},
-                     .options = po::options_description("Options"),
-                     .list = "FILE"};
+  Grammar grammar = {
+      .arguments = {}, .options = po::options_description("Options"), .list = "FILE"};
   grammar.options.add_options()  //
       ("max-force", with_default(0.01),
        "atoms are at rest if none has a larger force [eV/Å], > 0; inf: not looked at")  //
@@ -29,7 +28,8 @@ Grammar grammar_of_check() {
   add_structure_options(grammar.options);
   grammar.epilog =
       "FILE is extended XYZ, LAMMPS data or a mesh, whose dual is meant. Atoms are bonded if they\n"
-      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). Exit code 1 if something is wrong:\n"
+      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). Exit code 1 if something is "
+      "wrong:\n"
       "an atom without its three bonds, a bond outside 1.25 to 1.75 Å, an angle outside 85° to "
       "155°,\n"
       "other atoms nearer than 2 Å, a ring missing, forces, energies that are not those of the "
@@ -106,8 +106,8 @@ std::vector<TableRow> topology_rows(const dual::ShellReport& shell) {
   }
   return {{"atoms, bonds, rings", std::to_string(shell.atoms) + ", " + std::to_string(shell.bonds) +
                                       ", " + std::to_string(shell.ring_count())},
-          {"surface", surface + (shell.pieces == 1 ? "" : ", in " + std::to_string(shell.pieces) +
-                                                              " pieces")},
+          {"surface",
+           surface + (shell.pieces == 1 ? "" : ", in " + std::to_string(shell.pieces) + " pieces")},
           {"atoms by bonds", histogram_text(shell.coordinations)},
           {"rings by size", histogram_text(shell.ring_sizes)},
           {"bonds [Å]", pair_text(shell.shortest_bond) + " to " + pair_text(shell.longest_bond)},
@@ -137,8 +137,8 @@ std::vector<TableRow> rows_of(const Certificate& certificate, const Session& ses
   append(rows, energy_rows(certificate, session));
   if (!certificate.surface_distances.empty()) {
     const auto [rms, largest] = summarize(certificate.surface_distances);
-    rows.push_back({"to the surface [Å]",
-                    "rms " + decimals(rms, 3) + ", at most " + decimals(largest, 3)});
+    rows.push_back(
+        {"to the surface [Å]", "rms " + decimals(rms, 3) + ", at most " + decimals(largest, 3)});
   }
   if (certificate.energy_difference) {
     rows.push_back({"LAMMPS differs by", significant(*certificate.energy_difference, 3) + " eV, " +

@@ -90,9 +90,8 @@ void measure_angles(const Bonding& bonding, ShellReport& report) {
     const auto& ends = bonding[i];
     for (std::size_t a = 0; a < ends.size(); ++a) {
       for (std::size_t b = a + 1; b < ends.size(); ++b) {
-        const BondAngle angle = {
-            .atom = static_cast<int>(i),
-            .angle = angle_between(ends[a].separation, ends[b].separation)};
+        const BondAngle angle = {.atom = static_cast<int>(i),
+                                 .angle = angle_between(ends[a].separation, ends[b].separation)};
         BondAngle& smallest = report.smallest_angle;
         BondAngle& largest = report.largest_angle;
         if (smallest.atom < 0 || angle.angle < smallest.angle) smallest = angle;

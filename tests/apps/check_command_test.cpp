@@ -10,8 +10,9 @@ class CheckCommand : public ProgramTest {};
 TEST_F(CheckCommand, CertifiesAShellAtRest) {
   succeed("build sphere -o out --atoms 300 --method paper");
   const auto result =
-      succeed("check out/shell.extxyz out/shell.data --surface out/surface.off --periodic none "
-              "--json")
+      succeed(
+          "check out/shell.extxyz out/shell.data --surface out/surface.off --periodic none "
+          "--json")
           .json();
   EXPECT_TRUE(result["sound"].get<bool>());
   ASSERT_EQ(result["files"].size(), 2u);
@@ -34,8 +35,7 @@ TEST_F(CheckCommand, NamesWhatIsWrong) {
         shell("awk 'NR == 1 {print $1 - 1; next} NR != 7' rest/shell.extxyz").out);
   const Outcome vacancy = trivalent("check vacancy.extxyz --max-force inf");
   EXPECT_EQ(vacancy.exit_code, 1);
-  EXPECT_NE(vacancy.out.find("3 atoms do not have three bonds"), std::string::npos)
-      << vacancy.out;
+  EXPECT_NE(vacancy.out.find("3 atoms do not have three bonds"), std::string::npos) << vacancy.out;
   EXPECT_NE(vacancy.out.find("energies in the file"), std::string::npos) << vacancy.out;
 }
 
@@ -58,8 +58,8 @@ TEST_F(CheckCommand, RefusesWhatMakesNoSense) {
 TEST_F(CheckCommand, AgreesWithLammps) {
   succeed("build capsule -o out --atoms 400 --method paper");
   for (const std::string potential : {"rebo", "airebo"}) {
-    const Outcome run = trivalent("check out/shell.extxyz --lammps --max-force inf --json --potential " +
-                                  potential);
+    const Outcome run = trivalent(
+        "check out/shell.extxyz --lammps --max-force inf --json --potential " + potential);
     const auto lammps = run.json()["files"][0]["lammps"];
     EXPECT_LT(lammps["energy_difference"].get<double>(), 1e-8);
     EXPECT_LT(lammps["force_difference"].get<double>(), 1e-6);

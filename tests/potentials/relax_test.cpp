@@ -14,9 +14,12 @@
 namespace {
 
 using namespace trivalent::potentials;  // NOLINT(google-build-using-namespace): the unit under test
+using trivalent::testing_support::Chirality;
 using trivalent::testing_support::displace;
 using trivalent::testing_support::geodesic_shell;
 using trivalent::testing_support::graphene;
+using trivalent::testing_support::leapfrog_shell;
+using trivalent::testing_support::nanotube;
 
 class ReboFunction {
  public:
@@ -70,6 +73,35 @@ TEST_P(EveryMinimizer, FindsTheEnergyOfC180) {
   EXPECT_TRUE(relaxed.converged);
   // pair_style rebo, minimised by LAMMPS [LAMMPS].
   EXPECT_NEAR(energy_per_atom(relaxed), -7.15564, 1e-5);
+}
+
+// Energies of shells and tubes that pair_style rebo, minimized by LAMMPS, is known to give
+// [LAMMPS].
+TEST(Relax, FindsTheEnergiesOfFullerenes) {
+  for (const auto& [frequency, energy] : {std::pair{1, -6.84206}, {2, -7.20509}, {3, -7.29465}}) {
+    const Atoms shell = leapfrog_shell(frequency, 1.42);
+    const auto bonds = bonds_within(shell, 1.8);
+    ASSERT_EQ(2 * bonds.size(), 3 * shell.size());
+    const auto relaxed = relax_under_rebo(shell, {.max_force = 1e-4, .bonds = bonds});
+    EXPECT_TRUE(relaxed.converged);
+    EXPECT_NEAR(energy_per_atom(relaxed), energy, 1e-5) << shell.size();
+  }
+}
+
+TEST(Relax, FindsTheEnergiesOfTubes) {
+  const auto relaxed_energy = [](Chirality chirality, int n) {
+    const Atoms tube = nanotube(chirality, n, 4, 1.42);
+    const auto relaxed = relax_under_rebo(
+        tube,
+        {.max_force = 1e-4, .box = BoxPolicy::pressure_free, .bonds = bonds_within(tube, 1.8)});
+    EXPECT_TRUE(relaxed.converged);
+    return energy_per_atom(relaxed);
+  };
+  EXPECT_NEAR(relaxed_energy(Chirality::armchair, 5), -7.24617, 1e-5);
+  EXPECT_NEAR(relaxed_energy(Chirality::armchair, 10), -7.35586, 1e-5);
+  EXPECT_NEAR(relaxed_energy(Chirality::armchair, 20), -7.38506, 1e-5);
+  EXPECT_NEAR(relaxed_energy(Chirality::zigzag, 10), -7.28131, 1e-5);
+  EXPECT_NEAR(relaxed_energy(Chirality::zigzag, 17), -7.35441, 1e-5);
 }
 
 TEST_P(EveryMinimizer, LeavesFixedAtomsWhereTheyAre) {

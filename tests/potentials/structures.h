@@ -9,6 +9,7 @@
 
 #include "random_atoms.h"
 #include "trivalent/potentials/atoms.h"
+#include "trivalent/potentials/bonds.h"
 
 namespace trivalent::testing_support {
 
@@ -92,6 +93,47 @@ namespace trivalent::testing_support {
     }
   }
   atoms.species.assign(atoms.positions.size(), potentials::Species::carbon);
+  return atoms;
+}
+
+/// The leapfrog of a geodesic shell: a closed shell of 60 frequency² carbons with twelve pentagons.
+/// Frequency 1 makes C60, 2 C240, 3 C540.
+[[nodiscard]] inline potentials::Atoms leapfrog_shell(int frequency, double bond) {
+  const potentials::Atoms parent = geodesic_shell(frequency, bond);
+  potentials::Atoms atoms;
+  for (const potentials::Bond& edge : potentials::bonds_within(parent, 1.3 * bond)) {
+    const Eigen::Vector3d& a = parent.positions[edge.first];
+    const Eigen::Vector3d& b = parent.positions[edge.second];
+    // One atom on either side of each bond, a third of the way to the middle of the ring.
+    const Eigen::Vector3d middle = 0.5 * (a + b);
+    const Eigen::Vector3d aside =
+        (b - a).cross(middle).normalized() * (b - a).norm() / std::sqrt(12.0);
+    for (const double side : {-1.0, 1.0}) {
+      atoms.positions.emplace_back(std::sqrt(3.0) * (middle + side * aside));
+    }
+  }
+  atoms.species.assign(atoms.positions.size(), potentials::Species::carbon);
+  return atoms;
+}
+
+/// Graphene rolled up, periodic along z: n hexagons around and `periods` periods along, armchair
+/// (n, n) or zigzag (n, 0).
+enum class Chirality { armchair, zigzag };
+[[nodiscard]] inline potentials::Atoms nanotube(Chirality chirality, int n, int periods,
+                                                double bond) {
+  const bool is_zigzag = chirality == Chirality::zigzag;
+  const potentials::Atoms sheet =
+      is_zigzag ? graphene(n, periods, bond) : graphene(periods, n, bond);
+  const int around = is_zigzag ? 0 : 1;
+  const double radius = sheet.box.cell(around, around) / (2.0 * std::numbers::pi);
+  potentials::Atoms atoms = sheet;
+  for (Eigen::Vector3d& x : atoms.positions) {
+    const double angle = x[around] / radius;
+    x = {radius * std::cos(angle), radius * std::sin(angle), x[1 - around]};
+  }
+  atoms.box.cell =
+      Eigen::Vector3d(100.0, 100.0, sheet.box.cell(1 - around, 1 - around)).asDiagonal();
+  atoms.box.periodic = {false, false, true};
   return atoms;
 }
 

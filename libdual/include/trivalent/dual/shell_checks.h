@@ -28,15 +28,15 @@ inline constexpr double non_bonded_reach = 3.0;
 struct ShellReport {
   int atoms = 0;
   int bonds = 0;
-  int pieces = 0;                    ///< atoms that no chain of bonds connects are in different ones
+  int pieces = 0;  ///< atoms that no chain of bonds connects are in different ones
   std::map<int, int> coordinations;  ///< atoms by number of bonds
   std::map<int, int> ring_sizes;     ///< rings by size
   int angles_without_ring = 0;       ///< pairs of bonds at an atom that no ring goes through
   AtomPair shortest_bond;            ///< of two carbons, as the next ones
   AtomPair longest_bond;
-  BondAngle smallest_angle;          ///< of any bonds
+  BondAngle smallest_angle;  ///< of any bonds
   BondAngle largest_angle;
-  AtomPair closest_non_bonded;       ///< two carbons within non_bonded_reach
+  AtomPair closest_non_bonded;  ///< two carbons within non_bonded_reach
   /// Atoms that have another number of bonds than they should (carbon 3, hydrogen 1), ascending.
   std::vector<int> odd_atoms;
 
