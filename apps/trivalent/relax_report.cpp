@@ -30,6 +30,8 @@ std::string_view name_of(potentials::RelaxStage stage) {
       return "springs";
     case potentials::RelaxStage::guarded:
       return "potential and springs";
+    case potentials::RelaxStage::held:
+      return "potential, holding bonds";
     case potentials::RelaxStage::free:
       break;
   }
@@ -74,6 +76,7 @@ Json relax_json(const RelaxReport& report, const potentials::RelaxResult& relaxe
           {"displacement_largest", report.displacement_largest},
           {"bonds_broken", ids_json(report.bonds.broken)},
           {"bonds_formed", ids_json(report.bonds.formed)},
+          {"bonds_held", ids_json(relaxed.held)},
           {"coordinations", coordinations}};
 }
 
@@ -101,6 +104,11 @@ std::vector<std::string> relax_notes(const RelaxReport& report,
     notes.push_back("the relaxation did not converge: the largest force is " +
                     significant(relaxed.largest_force) + " eV/Å after " +
                     std::to_string(relaxed.steps) + " steps");
+  }
+  if (!relaxed.held.empty()) {
+    notes.push_back(std::to_string(relaxed.held.size()) +
+                    " bonds are held by springs, since REBO would tear them: between atoms " +
+                    ids_text(relaxed.held));
   }
   const auto& bonds = report.bonds;
   if (!bonds.broken.empty()) {

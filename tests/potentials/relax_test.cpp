@@ -148,6 +148,21 @@ TEST(Relax, TearsNoBondOfARoughNetwork) {
   EXPECT_TRUE(changes.formed.empty());
 }
 
+TEST(Relax, HoldsBondsThatWantToTear) {
+  // A chain whose ends are too far apart for its bonds.
+  Atoms chain;
+  for (int k = 0; k < 6; ++k) chain.positions.emplace_back(1.84 * k + 0.01 * (k % 2), 0.0, 0.0);
+  chain.species.assign(6, Species::carbon);
+  const auto bonds = bonds_within(chain, 1.9);
+  ASSERT_EQ(bonds.size(), 5U);
+  const auto relaxed = relax_under_rebo(chain, {.fixed = {0, 5}, .bonds = bonds});
+  EXPECT_TRUE(relaxed.converged);
+  EXPECT_FALSE(relaxed.held.empty());
+  EXPECT_TRUE(bond_changes(relaxed.atoms, bonds).broken.empty());
+  // What is told is the potential's, without the springs.
+  EXPECT_NEAR(relaxed.result.energy, rebo(relaxed.atoms).energy, 1e-9);
+}
+
 TEST(Relax, GoesOnFromACheckpointAsIfNothingHadHappened) {
   const auto bonds = bonds_within(geodesic_shell(4, 1.42), 1.8);
   RelaxOptions options = {.max_force = 1e-4, .bonds = bonds, .checkpoint_every = 5};

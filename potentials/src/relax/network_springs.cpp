@@ -12,6 +12,7 @@ namespace {
 // Contacts are searched again once an atom has moved half of this [Å].
 constexpr double contact_skin = 0.8;
 
+constexpr double carbon_bond = 1.42;    // [Å]
 constexpr double hydrogen_bond = 1.09;  // to carbon [Å]
 
 std::array<std::int32_t, 3> back(const std::array<std::int32_t, 3>& image) {
@@ -29,13 +30,27 @@ NetworkSprings::NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds,
   }
   for (std::size_t i = 0; i < atoms.size(); ++i) first_bonded_[i + 1] += first_bonded_[i];
   std::vector<std::size_t> next(first_bonded_.begin(), first_bonded_.end() - 1);
-  for (const Bond& bond : bonds) {
-    bonded_[next[bond.first]++] = {bond.second, bond.image};
-    bonded_[next[bond.second]++] = {bond.first, back(bond.image)};
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    const Bond& bond = bonds[k];
+    const double rest = options_.rest_lengths.empty() ? 0.0 : options_.rest_lengths[k];
+    bonded_[next[bond.first]++] = {bond.second, bond.image, rest};
+    bonded_[next[bond.second]++] = {bond.first, back(bond.image), rest};
   }
+  set_scales();
   bends_.assign(atoms.size(), Eigen::Vector3d::Zero());
   result_.energies.assign(atoms.size(), 0.0);
   result_.forces.assign(atoms.size(), Eigen::Vector3d::Zero());
+}
+
+void NetworkSprings::set_scales() {
+  scales_.assign(first_bonded_.size() - 1, 1.0);
+  if (options_.rest_lengths.empty()) return;
+  for (std::size_t i = 0; i < scales_.size(); ++i) {
+    double sum = 0.0;
+    for (const Link& link : bonded(i)) sum += link.length;
+    const double mean = sum / std::max(1.0, static_cast<double>(bonded(i).size()));
+    scales_[i] = std::min(1.0, mean / carbon_bond);
+  }
 }
 
 Eigen::Vector3d NetworkSprings::separation(const Atoms& atoms, std::size_t atom,
@@ -53,6 +68,7 @@ double NetworkSprings::excess(const Atoms& atoms, std::size_t atom, const Link& 
   const bool has_hydrogen =
       atoms.species[atom] == Species::hydrogen || atoms.species[link.atom] == Species::hydrogen;
   if (has_hydrogen) return length - hydrogen_bond;
+  if (!options_.rest_lengths.empty()) return length - link.length;
   return length - std::clamp(length, options_.shortest, options_.longest);
 }
 
@@ -77,18 +93,32 @@ bool NetworkSprings::have_moved(const Atoms& atoms) const {
 }
 
 void NetworkSprings::find_contacts(const Atoms& atoms) {
-  const NeighborList neighbors(atoms, options_.contact + contact_skin);
+  const NeighborList neighbors(atoms, options_.contact.others + contact_skin);
   first_contact_.assign(1, 0);
   contacts_.clear();
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const auto own = bonded(i);
     for (const Neighbor& neighbor : neighbors[i]) {
-      const Link link = {neighbor.atom, neighbor.image};
-      if (std::find(own.begin(), own.end(), link) == own.end()) contacts_.push_back(link);
+      const Link link = {neighbor.atom, neighbor.image, contact_distance(i, neighbor.atom)};
+      const bool may_touch = neighbor.distance <= link.length + contact_skin;
+      const bool is_bonded = std::any_of(own.begin(), own.end(),
+                                         [&](const Link& bond) { return bond.leads_to(link); });
+      if (may_touch && !is_bonded) contacts_.push_back(link);
     }
     first_contact_.push_back(contacts_.size());
   }
   positions_of_contacts_ = atoms.positions;
+}
+
+double NetworkSprings::contact_distance(std::size_t from, std::uint32_t to) const {
+  bool is_third = false;
+  for (const Link& first : bonded(from)) {
+    for (const Link& second : bonded(first.atom)) {
+      if (second.atom == to) return options_.contact.second;
+      for (const Link& third : bonded(second.atom)) is_third = is_third || third.atom == to;
+    }
+  }
+  return is_third ? options_.contact.third : options_.contact.others;
 }
 
 void NetworkSprings::find_bends(const Atoms& atoms) {
@@ -116,8 +146,10 @@ double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom) {
     force -= options_.smoothness / n_bonded * bends_[link.atom];
   }
   for (std::size_t k = first_contact_[atom]; k < first_contact_[atom + 1]; ++k) {
-    const Eigen::Vector3d between = separation(atoms, atom, contacts_[k]);
-    const double overlap = std::min(between.norm() - options_.contact, 0.0);
+    const Link& contact = contacts_[k];
+    const Eigen::Vector3d between = separation(atoms, atom, contact);
+    const double distance = contact.length * std::min(scales_[atom], scales_[contact.atom]);
+    const double overlap = std::min(between.norm() - distance, 0.0);
     energy += add_spring(between, overlap, options_.contact_stiffness, force);
   }
   result_.energies[atom] = energy;

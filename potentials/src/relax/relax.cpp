@@ -1,6 +1,7 @@
 #include "trivalent/potentials/relax.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <optional>
 
@@ -46,13 +47,19 @@ class Relaxation {
                                        .max_force = options_.max_force,
                                        .max_steps = options_.checkpoint_every});
     }
+    if (!result_.converged && !was_stopped_ && result_.steps < options_.max_steps) hold_bonds();
     return std::move(result_);
   }
 
  private:
   [[nodiscard]] bool has_carbon_bonds() const;
   void start_gently();
-  void draw_by_springs(double smoothness);
+  /// Draws the network towards bonds of these lengths [Å].
+  void draw_by_springs(const std::vector<double>& lengths, double smoothness, int max_steps);
+  /// Puts springs on bonds that want to tear.
+  void hold_bonds();
+  /// The potential and springs.
+  [[nodiscard]] EnergyFunction with_springs(NetworkSprings& springs, EnergyForces& sum) const;
   /// Returns whether it ended only because of the stage's number of steps.
   bool descend(const EnergyFunction& potential, const StageOptions& stage);
   [[nodiscard]] bool wants_more(const StageOptions& stage, const Objective& objective,
@@ -71,6 +78,8 @@ class Relaxation {
 constexpr double carbon_bond = 1.42;
 constexpr double shortest_bond = 1.25;
 constexpr double longest_bond = 1.65;
+// REBO pulls hardest at about this length; what is pulled farther tears [Å].
+constexpr double longest_free_bond = 1.8;
 
 bool Relaxation::has_carbon_bonds() const {
   return std::all_of(options_.bonds.begin(), options_.bonds.end(), [&](const Bond& bond) {
@@ -83,44 +92,79 @@ bool Relaxation::has_carbon_bonds() const {
   });
 }
 
+// From the lengths that bonds have to those of carbon, step by step: where they are short the
+// surface swells, and would otherwise fold into itself.
 void Relaxation::start_gently() {
-  // Springs that smooth the surface stretch the bonds of a rough network: they yield step by step.
-  for (const double smoothness : {10.0, 2.0, 0.5}) {
-    draw_by_springs(smoothness);
-    if (has_carbon_bonds()) break;
+  std::vector<double> logarithms;
+  for (const Bond& bond : options_.bonds) {
+    logarithms.push_back(std::log(bond_length(result_.atoms, bond) / carbon_bond));
   }
+  std::vector<double> lengths(logarithms.size());
+  constexpr int n_parts = 10;
+  for (int part = 1; part <= n_parts; ++part) {
+    const double left = static_cast<double>(n_parts - part) / n_parts;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      lengths[k] = carbon_bond * std::exp(left * logarithms[k]);
+    }
+    draw_by_springs(lengths, 2.0, part < n_parts ? 100 : 600);
+  }
+  draw_by_springs(lengths, 0.5, 600);
+  if (was_stopped_) return;
   NetworkSprings bounds(result_.atoms, options_.bonds,
                         {.bond_stiffness = 100.0,
                          .shortest = shortest_bond,
                          .longest = longest_bond,
                          .smoothness = 0.0,
-                         .contact = 2.05,
+                         .contact = {.second = 2.05, .third = 2.3, .others = 2.6},
                          .contact_stiffness = 100.0});
   EnergyForces sum;
-  const EnergyFunction guarded = [&](const Atoms& atoms) -> const EnergyForces& {
-    const EnergyForces& springs = bounds.evaluate(atoms);
-    sum = potential_(atoms);
-    sum.energy += springs.energy;
-    for (std::size_t i = 0; i < sum.forces.size(); ++i) sum.forces[i] += springs.forces[i];
-    return sum;
-  };
-  if (was_stopped_) return;
-  descend(guarded, {.stage = RelaxStage::guarded,
-                    .max_force = std::max(0.3, options_.max_force),
-                    .max_steps = 1000});
+  descend(with_springs(bounds, sum), {.stage = RelaxStage::guarded,
+                                      .max_force = std::max(0.3, options_.max_force),
+                                      .max_steps = 1000});
 }
 
-void Relaxation::draw_by_springs(double smoothness) {
+void Relaxation::draw_by_springs(const std::vector<double>& lengths, double smoothness,
+                                 int max_steps) {
   if (was_stopped_) return;
   NetworkSprings springs(result_.atoms, options_.bonds,
                          {.bond_stiffness = 20.0,
                           .shortest = carbon_bond,
                           .longest = carbon_bond,
                           .smoothness = smoothness,
-                          .contact = 2.2,
-                          .contact_stiffness = 20.0});
+                          .contact = {.second = 2.2, .third = 2.5, .others = 3.0},
+                          .contact_stiffness = 20.0,
+                          .rest_lengths = lengths});
   descend([&](const Atoms& atoms) -> const EnergyForces& { return springs.evaluate(atoms); },
-          {.stage = RelaxStage::springs, .max_force = 0.3, .max_steps = 1000});
+          {.stage = RelaxStage::springs, .max_force = 0.3, .max_steps = max_steps});
+}
+
+EnergyFunction Relaxation::with_springs(NetworkSprings& springs, EnergyForces& sum) const {
+  return [&, this](const Atoms& atoms) -> const EnergyForces& {
+    const EnergyForces& addition = springs.evaluate(atoms);
+    sum = potential_(atoms);
+    sum.energy += addition.energy;
+    for (std::size_t i = 0; i < sum.forces.size(); ++i) sum.forces[i] += addition.forces[i];
+    return sum;
+  };
+}
+
+void Relaxation::hold_bonds() {
+  if (options_.bonds.empty() || options_.box != BoxPolicy::fixed) return;
+  NetworkSprings holds(result_.atoms, options_.bonds,
+                       {.bond_stiffness = 200.0,
+                        .shortest = 0.0,
+                        .longest = longest_free_bond,
+                        .smoothness = 0.0,
+                        .contact = {},
+                        .contact_stiffness = 0.0});
+  EnergyForces sum;
+  descend(with_springs(holds, sum), {.stage = RelaxStage::held,
+                                     .max_force = options_.max_force,
+                                     .max_steps = options_.max_steps});
+  for (const Bond& bond : options_.bonds) {
+    if (bond_length(result_.atoms, bond) > longest_free_bond) result_.held.push_back(bond);
+  }
+  result_.result = potential_(result_.atoms);
 }
 
 bool Relaxation::descend(const EnergyFunction& potential, const StageOptions& stage) {

@@ -28,7 +28,8 @@ enum class BoxPolicy {
 enum class RelaxStage {
   springs,  ///< springs along the bonds of the network, which cannot tear
   guarded,  ///< the potential, and springs on bonds that become too long or too short
-  free      ///< the potential
+  free,     ///< the potential
+  held      ///< the potential, and springs on bonds that want to tear
 };
 
 /// Where a relaxation begins.
@@ -83,15 +84,19 @@ struct RelaxResult {
   EnergyForces result;
   int steps = 0;
   int evaluations = 0;
-  double largest_force = 0.0;  ///< [eV/Å]
+  double largest_force = 0.0;  ///< [eV/Å]; with the springs that hold bonds
   bool converged = false;
+  /// Bonds that would tear under the potential alone: springs hold them at 1.8 Å, where REBO pulls
+  /// hardest. The energies and forces are those without springs.
+  std::vector<Bond> held = {};
 };
 
 /// Moves atoms downhill until they are at rest.
 ///
 /// Given the bonds of a network that are far from carbon's (below 1.25 or above 1.65 Å), atoms are
-/// first moved by springs along the bonds until the network is smooth, then under the potential
-/// with springs on bonds that leave these bounds, then under the potential alone. The bonds also
+/// first moved by springs whose lengths go from those of the bonds to carbon's, then under the
+/// potential with springs on bonds that leave these bounds, then under the potential alone. If that
+/// ends where a bond wants to tear, springs hold such bonds (see RelaxResult::held). The bonds also
 /// precondition L-BFGS [Packwood2016]: it then needs about a tenth of the steps.
 ///
 /// Not reaching max_force is a result: see `converged`. The same bytes on any number of threads, if
