@@ -1,49 +1,47 @@
-#!/bin/bash
-# Relaxes the dual of each mesh here and with LAMMPS's minimizers (cg and fire), one core each, one
-# after the other, and prints energies, atoms without three neighbors, and user seconds.
-# Needs Debian's lammps and jq. usage: scripts/bench_relax.sh MESH...     BUILD: the build folder
+#!/usr/bin/env bash
+# Relaxes the dual of each mesh here and with LAMMPS's minimizers (cg and fire), one core each, one after
+# the other, and prints energies, atoms without three bonds, bonds torn, and processor seconds.
+#
+#   scripts/bench_relax.sh MESH...        STEPS=N: at most so many steps of LAMMPS, default 2000
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
-trivalent=${BUILD:-$here/../build/release}/bin/trivalent
-potentials=${LAMMPS_POTENTIALS:-/usr/share/lammps/potentials}
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-TIMEFORMAT=%U
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+mkdir -p results/relax
 export OMP_NUM_THREADS=1
 
-lammps() {  # STYLE -> meV/atom above graphene, atoms without three neighbors
-  cat > "$folder/in" <<END
-units metal
-atom_style atomic
-boundary s s s
-read_data $folder/dual.data
-pair_style rebo
-pair_coeff * * $potentials/CH.rebo C
-neighbor 1.0 bin
-neigh_modify every 1 delay 0 check yes
-compute near all coord/atom cutoff 2.0
-variable is_bad atom "c_near != 3"
-compute bad all reduce sum v_is_bad
-thermo_style custom step pe c_bad fmax
-thermo_modify format float %.12g
-thermo 100000
-min_style $1
-minimize 1e-10 1e-8 2000 20000
-print "result \$(1000*(pe/atoms+7.394997)) \$(c_bad) \$(fmax)"
-END
-  lmp -in "$folder/in" -log none | awk '$1 == "result" {printf "%.3f meV/atom, %d bad atoms, largest force %.2g\n", $2, $3, $4}'
-}
+python3 - "$PWD/build/release/bin/trivalent" results/relax "${STEPS:-2000}" "$@" <<'END'
+import json
+import os
+import subprocess
+import sys
 
-for mesh in "$@"; do
-  "$trivalent" dual "$mesh" "$folder/dual.data" --digits 17 --quiet > /dev/null
-  echo "$mesh"
-  ours=$( { time "$trivalent" relax "$mesh" -o "$folder/out.extxyz" --threads 1 --quiet --json \
-    > "$folder/out.json"; } 2>&1 )
-  jq -r '"  here: \(1000 * .excess_per_atom) meV/atom, \(.atoms - (.relaxation.coordinations["3"] // 0)) bad atoms, largest force \(.relaxation.largest_force), \(.relaxation.bonds_broken | length) bonds broken"' "$folder/out.json"
-  echo "  here: $ours s"
-  for style in cg fire; do
-    theirs=$( { time lammps $style > "$folder/result"; } 2>&1 )
-    echo "  LAMMPS $style: $(cat "$folder/result"), $theirs s," \
-      "$(awk "BEGIN {printf \"%.1f\", $theirs / $ours}") times ours"
-  done
-done
+program, results, steps, *meshes = sys.argv[1:]
+
+
+def relax(mesh, name, *options):
+    """The result and the processor seconds of the program with all it started."""
+    process = subprocess.Popen([program, 'relax', mesh, '-o', f'{results}/{name}.extxyz', '--threads', '1', '--json',
+                                '--quiet', *options], stdout=subprocess.PIPE)
+    out = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        return None, 0.0
+    return json.loads(out), usage.ru_utime + usage.ru_stime
+
+
+print('mesh                    engine         meV/atom above graphene  odd atoms  torn  largest force      s  times ours')
+for mesh in meshes:
+    name = os.path.splitext(os.path.basename(mesh))[0]
+    ours = None
+    for engine, options in (('own', []), ('LAMMPS cg', ['--engine', 'lammps', '--minimizer', 'cg', '--max-steps', steps]),
+                            ('LAMMPS fire', ['--engine', 'lammps', '--minimizer', 'fire', '--max-steps', steps])):
+        result, seconds = relax(mesh, f'{name}.{engine.replace(" ", "-")}', *options)
+        if result is None:
+            print(f'{name:22}  {engine:12}  failed', flush=True)
+            continue
+        ours = ours or seconds
+        relaxation = result['relaxation']
+        odd = result['atoms'] - relaxation['coordinations'].get('3', 0)
+        print(f'{name:22}  {engine:12}  {1000 * result["excess_per_atom"]:23.3f}  {odd:9d}  '
+              f'{len(relaxation["bonds_broken"]):4d}  {relaxation["largest_force"]:13.2g}  {seconds:5.1f}  '
+              f'{seconds / ours:10.1f}', flush=True)
+END

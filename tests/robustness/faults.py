@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Kills the program at random moments while it writes, and fills its disk: old files stay whole.
+"""Kills the program at random moments while it writes and relaxes, and fills its disk: files stay whole.
 
-usage: faults.py PROGRAM [--kills N] [--seed S]      as root it also tries a full disk of its own
+usage: faults.py PROGRAM [--kills N] [--relaxation-kills N] [--seed S]
+As root it also tries a full disk of its own.
 """
 import argparse
 import os
@@ -49,6 +50,39 @@ def kill_while_writing(program, options):
     print(f'{options.kills} kills: {torn} torn files, {changed} times the new file, else the old one; '
           f'{left} unfinished files left behind')
     return torn == 0
+
+
+def kill_while_relaxing(program, options):
+    """Relaxes again and again with kill -9 in between: every file is whole, the end is the same."""
+    rng = random.Random(options.seed)
+    with Folder() as folder:
+        mesh, whole, killed = (os.path.join(folder, name) for name in ('a.off', 'whole', 'killed'))
+        subprocess.run([program, 'shape', 'sphere', mesh, '--edge', '0.1'], check=True, capture_output=True)
+
+        def command(name):
+            return [program, 'relax', mesh, '-o', name + '.extxyz', '--trajectory', name + '.trajectory.extxyz',
+                    '--every', '5', '--checkpoint-every', '10', '--digits', '17', '--quiet']
+        begin = time.monotonic()
+        subprocess.run(command(whole), check=True, capture_output=True)
+        longest = time.monotonic() - begin
+        kills = finished = torn = 0
+        while kills < options.relaxation_kills:
+            child = subprocess.Popen(command(killed), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(rng.uniform(0.0, longest))
+            child.send_signal(signal.SIGKILL)
+            kills += 1
+            is_done = child.wait() == 0
+            finished += is_done
+            for ending in ('.extxyz', '.trajectory.extxyz'):
+                if os.path.exists(killed + ending):
+                    torn += contents(killed + ending) != contents(whole + ending)
+                    if is_done:
+                        os.remove(killed + ending)
+        subprocess.run(command(killed), check=True, capture_output=True)
+        same = all(contents(killed + ending) == contents(whole + ending) for ending in ('.extxyz', '.trajectory.extxyz'))
+        print(f'{kills} kills while relaxing: {finished} runs came through, {torn} files were not those of an '
+              f'uninterrupted run; the last run {"ends in the same bytes" if same else "ENDS DIFFERENTLY"}')
+        return torn == 0 and same
 
 
 def fill_disk(program):
@@ -100,10 +134,11 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('program')
     parser.add_argument('--kills', type=int, default=1000)
+    parser.add_argument('--relaxation-kills', type=int, default=100)
     parser.add_argument('--seed', type=int, default=1)
     options = parser.parse_args()
     results = [fill_disk(options.program), read_only_folder(options.program), vanished_folder(options.program),
-               kill_while_writing(options.program, options)]
+               kill_while_relaxing(options.program, options), kill_while_writing(options.program, options)]
     return 0 if all(results) else 1
 
 
