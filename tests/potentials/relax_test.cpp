@@ -148,6 +148,20 @@ TEST(Relax, TearsNoBondOfARoughNetwork) {
   EXPECT_TRUE(changes.formed.empty());
 }
 
+TEST(Relax, EndsWhenTheEnergyHasSettled) {
+  const Atoms shell = geodesic_shell(6, 1.42);
+  const auto bonds = bonds_within(shell, 1.8);
+  const RelaxOptions strict = {.max_force = 1e-9, .max_steps = 1000, .bonds = bonds};
+  RelaxOptions settled = strict;
+  settled.energy_change = 1e-6;
+  const auto whole = relax_under_rebo(shell, strict);
+  const auto early = relax_under_rebo(shell, settled);
+  EXPECT_TRUE(early.converged);
+  EXPECT_GT(early.largest_force, 1e-9);
+  EXPECT_LT(early.steps, whole.steps);
+  EXPECT_NEAR(energy_per_atom(early), energy_per_atom(whole), 1e-5);
+}
+
 TEST(Relax, HoldsBondsThatWantToTear) {
   // A chain whose ends are too far apart for its bonds.
   Atoms chain;

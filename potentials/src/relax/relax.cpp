@@ -27,7 +27,7 @@ struct StageOptions {
 class Relaxation {
  public:
   Relaxation(Atoms atoms, const EnergyFunction& potential, const RelaxOptions& options)
-      : potential_(potential), options_(options) {
+      : potential_(potential), options_(options), n_atoms_(static_cast<double>(atoms.size())) {
     result_.atoms = std::move(atoms);
     result_.steps = options.first_step;
     result_.evaluations = options.first_evaluation;
@@ -69,6 +69,7 @@ class Relaxation {
 
   const EnergyFunction& potential_;
   const RelaxOptions& options_;
+  double n_atoms_;
   std::optional<BondLaplacian> network_;
   RelaxResult result_;
   bool was_stopped_ = false;
@@ -99,8 +100,12 @@ void Relaxation::start_gently() {
   for (const Bond& bond : options_.bonds) {
     logarithms.push_back(std::log(bond_length(result_.atoms, bond) / carbon_bond));
   }
+  constexpr double largest_part = 0.17;  // about as in 1.42 to 1.2 Å
+  double largest = 0.0;
+  for (const double logarithm : logarithms) largest = std::max(largest, std::abs(logarithm));
+  const int n_parts =
+      std::max(1, static_cast<int>(std::min(100.0, std::ceil(largest / largest_part))));
   std::vector<double> lengths(logarithms.size());
-  constexpr int n_parts = 10;
   for (int part = 1; part <= n_parts; ++part) {
     const double left = static_cast<double>(n_parts - part) / n_parts;
     for (std::size_t k = 0; k < lengths.size(); ++k) {
@@ -226,8 +231,7 @@ bool Relaxation::has_settled(std::deque<double>& energies, double energy) const 
   if (energies.size() <= window) return false;
   const double gain = energies.front() - energy;
   energies.pop_front();
-  return options_.energy_change > 0.0 &&
-         gain < options_.energy_change * static_cast<double>(result_.atoms.size());
+  return options_.energy_change > 0.0 && gain < options_.energy_change * n_atoms_;
 }
 
 }  // namespace
