@@ -108,7 +108,13 @@ dual::ShellPage report_page(BuildRecord& record, const Session& session) {
                          std::to_string(record.before->atoms.size()) +
                          " atoms, too many to be shown beside the shell");
   }
-  if (record.unrelaxed) page.states.push_back(std::move(*record.unrelaxed));
+  // Three states of a large shell would make the page slow to open.
+  constexpr std::size_t most_unrelaxed = 100000;
+  if (record.unrelaxed && record.unrelaxed->atoms.size() <= most_unrelaxed) {
+    page.states.push_back(std::move(*record.unrelaxed));
+  } else if (record.unrelaxed) {
+    page.notes.push_back("the shell is too large for its page to show it before relaxation too");
+  }
   page.states.push_back(std::move(record.after));
   page.surface = std::move(record.original);
   return page;
