@@ -43,7 +43,7 @@ NetPatch::NetPatch(const ConstrainedMesh& constrained, VertexHandle center, int 
   for (int i = 0; i < count_; ++i) {
     const VertexHandle v = vertex_[at(i)];
     const Anchor& anchor = constrained.anchor(v);
-    place(i, (mesh.point(v) - origin_).cast<float>());
+    place_[at(i)] = in_lanes(mesh.point(v) - origin_);
     ring_[at(i)].fill(static_cast<std::uint8_t>(i));
     on_feature_[at(i)] = anchor.kind != FeatureKind::none;
     open_[at(i)] = mesh.is_boundary(v);
@@ -53,9 +53,9 @@ NetPatch::NetPatch(const ConstrainedMesh& constrained, VertexHandle center, int 
     if (i >= inside) continue;
     const MotionFrame frame = motion_frame(constrained, v);
     mobility_[at(i)] = static_cast<std::uint8_t>(frame.freedoms);
-    normal_[at(i)] = frame.normal.cast<float>();
-    first_[at(i)] = frame.first.cast<float>();
-    second_[at(i)] = frame.second.cast<float>();
+    normal_[at(i)] = in_lanes(frame.normal);
+    first_[at(i)] = in_lanes(frame.first);
+    second_[at(i)] = in_lanes(frame.second);
     // The first halfedge of a boundary vertex is its boundary one: what follows counter-clockwise
     // ends at the other boundary neighbor.
     auto h = mesh.halfedge_handle(v);
@@ -157,7 +157,7 @@ bool NetPatch::collapse(int removed, int kept) {
     last = u;
   }
   valence_[at(removed)] = 0;
-  if (!on_feature_[at(kept)]) place(kept, 0.5F * (at_origin(kept) + at_origin(removed)));
+  if (!on_feature_[at(kept)]) place_[at(kept)] = 0.5F * (place_[at(kept)] + place_[at(removed)]);
   changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
                       static_cast<std::uint8_t>(kept)});
   return true;
@@ -171,10 +171,11 @@ bool NetPatch::split(int a, int b) {
   if (valence_[at(c)] >= most_neighbors || valence_[at(d)] >= most_neighbors) return false;
   const int n = count_++;
   vertex_[at(n)] = VertexHandle();
-  place(n, 0.5F * (at_origin(a) + at_origin(b)));
+  place_[at(n)] = 0.5F * (place_[at(a)] + place_[at(b)]);
   normal_[at(n)] = (normal_[at(a)] + normal_[at(b)]).normalized();
-  first_[at(n)] = normal_[at(n)].unitOrthogonal();
-  second_[at(n)] = normal_[at(n)].cross(first_[at(n)]);
+  const Eigen::Vector3d normal = normal_[at(n)].cast<double>().head<3>();
+  first_[at(n)] = in_lanes(normal.unitOrthogonal());
+  second_[at(n)] = normal_[at(n)].cross3(first_[at(n)]);
   mobility_[at(n)] = 2;
   on_feature_[at(n)] = false;
   open_[at(n)] = false;
@@ -207,7 +208,7 @@ void NetPatch::mend_valences() {
         if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d) || place_in_ring(c, d) >= 0) continue;
         const int gain = 2 * (deviation(a) + deviation(b) - deviation(c) - deviation(d)) - 4;
         if (gain <= 0 || gain < best_gain) continue;
-        const double length = (at_origin(c) - at_origin(d)).squaredNorm();
+        const double length = (place_[at(c)] - place_[at(d)]).squaredNorm();
         if (gain == best_gain && length >= best_length) continue;
         best_gain = gain;
         best_length = length;
@@ -219,72 +220,100 @@ void NetPatch::mend_valences() {
   }
 }
 
-NetPatch::Spokes NetPatch::spokes_of(int i) const {
-  Spokes s;
-  const Ring& ring = ring_[at(i)];
-  for (int k = 0; k < most_neighbors; ++k) {
-    s.x[k] = x_[ring[at(k)]];
-    s.y[k] = y_[ring[at(k)]];
-    s.z[k] = z_[ring[at(k)]];
-  }
-  s.x -= x_[at(i)];
-  s.y -= y_[at(i)];
-  s.z -= z_[at(i)];
-  return s;
-}
-
 namespace {
-/// 1 for the first n lanes, 0 for the others.
-struct LaneMasks {
-  std::array<Eigen::Array<float, 8, 1>, 9> masks;
-  LaneMasks() {
-    for (int n = 0; n <= 8; ++n)
-      for (int k = 0; k < 8; ++k) masks[static_cast<std::size_t>(n)][k] = k < n ? 1.0F : 0.0F;
+
+using FourLanes = Eigen::Array4f;
+
+/// Edges from one place to four others, one per lane: their components, and which of them count.
+struct Spokes {
+  FourLanes x, y, z, counts;
+
+  [[nodiscard]] FourLanes squared_length() const { return x * x + y * y + z * z; }
+  [[nodiscard]] FourLanes along(const Eigen::Vector4f& t) const {
+    return x * t.x() + y * t.y() + z * t.z();
   }
 };
-const LaneMasks lane_masks;
+
+/// Spokes number `first` to `first` + 3 of a vertex.
+template <typename Ring>
+Spokes spokes_from(const Eigen::Vector4f& center, const Ring& ring, int valence, int first,
+                   const Eigen::Vector4f* places) {
+  constexpr std::array<float, 8> mask = {1.0F, 1.0F, 1.0F, 1.0F, 0.0F, 0.0F, 0.0F, 0.0F};
+  Eigen::Matrix4f edges;
+  for (int k = 0; k < 4; ++k) {
+    edges.col(k) = places[ring[static_cast<std::size_t>(first + k)]] - center;
+  }
+  edges.transposeInPlace();
+  const int idle = std::clamp(first + 4 - valence, 0, 4);
+  return {edges.col(0).array(), edges.col(1).array(), edges.col(2).array(),
+          FourLanes::Map(mask.data() + idle)};
+}
+
+/// The sums over the lanes of four terms.
+Eigen::Vector4f lane_sums(const FourLanes& a, const FourLanes& b, const FourLanes& c,
+                          const FourLanes& d) {
+  Eigen::Matrix4f terms;
+  terms << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+  terms.transposeInPlace();
+  return (terms.col(0) + terms.col(1)) + (terms.col(2) + terms.col(3));
+}
+
 }  // namespace
+
+/// SpringStep, for four edges at a time.
+NetPatch::Vector NetPatch::spring_step(int i, float rest) const {
+  constexpr auto over = static_cast<float>(spring_overrelaxation);
+  const Vector& t1 = first_[at(i)];
+  const Vector& t2 = second_[at(i)];
+  FourLanes pull_1 = FourLanes::Zero();
+  FourLanes pull_2 = FourLanes::Zero();
+  FourLanes stiffness_11 = FourLanes::Zero();
+  FourLanes stiffness_12 = FourLanes::Zero();
+  FourLanes stiffness_22 = FourLanes::Zero();
+  for (int first = 0; first < valence_[at(i)]; first += 4) {
+    const Spokes d =
+        spokes_from(place_[at(i)], ring_[at(i)], valence_[at(i)], first, place_.data());
+    const FourLanes inverse = d.counts / (d.squared_length() + 1e-12F * rest * rest).sqrt();
+    const FourLanes slack = d.counts - rest * inverse;  // < 0: pressed
+    const FourLanes along_1 = d.along(t1);
+    const FourLanes along_2 = d.along(t2);
+    const FourLanes across = slack.max(0.0F);
+    const FourLanes along = (d.counts - across) * inverse * inverse;
+    pull_1 += slack * along_1;
+    pull_2 += slack * along_2;
+    stiffness_11 += across + along * along_1 * along_1;
+    stiffness_12 += along * along_1 * along_2;
+    stiffness_22 += across + along * along_2 * along_2;
+  }
+  const Eigen::Vector4f sums = lane_sums(pull_1, pull_2, stiffness_11, stiffness_22);
+  if (mobility_[at(i)] == 1) return sums[0] / sums[2] * t1;
+  const float h12 = stiffness_12.sum();
+  const float factor = over / (sums[2] * sums[3] - h12 * h12);
+  return factor * (sums[3] * sums[0] - h12 * sums[1]) * t1 +
+         factor * (sums[2] * sums[1] - h12 * sums[0]) * t2;
+}
 
 void NetPatch::relax(double length, int sweeps, int reach) {
   const auto rest = static_cast<float>(length);
   const float longest_step = static_cast<float>(longest_spring_step) * rest;
-  constexpr auto over = static_cast<float>(spring_overrelaxation);
+  // Every other one, then the others: a vertex is seldom next to the one before and need not wait
+  // for it in the processor.
+  std::array<std::uint8_t, capacity> movers;
+  int n_movers = 0;
+  for (const int parity : {0, 1}) {
+    for (int i = parity; i < count_; i += 2) {
+      if (i >= reach && vertex_[at(i)].is_valid()) continue;
+      if (is_free(i)) movers[at(n_movers++)] = static_cast<std::uint8_t>(i);
+    }
+  }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (int i = 0; i < count_; ++i) {
-      if (i == reach && vertex_[at(i)].is_valid()) {
-        while (i < count_ && vertex_[at(i)].is_valid()) ++i;
-        if (i == count_) break;
-      }
-      if (!is_inside(i) || mobility_[at(i)] == 0) continue;
-      const Lanes& mask = lane_masks.masks[valence_[at(i)]];
-      const Spokes d = spokes_of(i);
-      const Eigen::Vector3f& t1 = first_[at(i)];
-      const Eigen::Vector3f& t2 = second_[at(i)];
-      const Lanes inverse_length =
-          mask / (d.x * d.x + d.y * d.y + d.z * d.z + 1e-12F * rest * rest).sqrt();
-      const Lanes slack = mask - rest * inverse_length;  // < 0: pressed
-      const Lanes along_1 = d.x * t1.x() + d.y * t1.y() + d.z * t1.z();
-      const Lanes along_2 = d.x * t2.x() + d.y * t2.y() + d.z * t2.z();
-      const Lanes across = slack.max(0.0F);
-      const Lanes x = along_1 * inverse_length;
-      const Lanes y = along_2 * inverse_length;
-      const Lanes along = mask - across;
-      const float g1 = (slack * along_1).sum();
-      const float h11 = (across + along * x * x).sum();
-      Eigen::Vector3f step;
-      if (mobility_[at(i)] == 1) {
-        step = g1 / h11 * t1;
-      } else {
-        const float g2 = (slack * along_2).sum();
-        const float h12 = (along * x * y).sum();
-        const float h22 = (across + along * y * y).sum();
-        const float factor = over / (h11 * h22 - h12 * h12);
-        step = factor * (h22 * g1 - h12 * g2) * t1 + factor * (h11 * g2 - h12 * g1) * t2;
-      }
-      const float size = step.norm();
-      if (!(size < 10.0F * rest)) continue;
-      if (size > longest_step) step *= longest_step / size;
-      place(i, at_origin(i) + step);
+    for (int k = 0; k < n_movers; ++k) {
+      const int i = movers[at(k)];
+      Vector step = spring_step(i, rest);
+      const float squared = step.squaredNorm();
+      if (!(squared < 100.0F * rest * rest)) continue;
+      if (squared > longest_step * longest_step) step *= longest_step / std::sqrt(squared);
+      place_[at(i)] += step;
     }
   }
 }
@@ -293,13 +322,16 @@ double NetPatch::strain(double length) const {
   const auto inverse = static_cast<float>(1.0 / length);
   double sum = 0.0;
   for (int i = 0; i < count_; ++i) {
-    const int n = valence_[at(i)];
-    if (n == 0) continue;
-    const Spokes d = spokes_of(i);
-    const Lanes stretch = (d.x * d.x + d.y * d.y + d.z * d.z).sqrt() * inverse - 1.0F;
-    const Lanes squared = stretch * stretch;
-    for (int k = 0; k < n; ++k) {
-      sum += is_inside(ring_[at(i)][at(k)]) ? 0.5F * squared[k] : squared[k];
+    for (int first = 0; first < valence_[at(i)]; first += 4) {
+      const Spokes d =
+          spokes_from(place_[at(i)], ring_[at(i)], valence_[at(i)], first, place_.data());
+      const FourLanes stretch = d.squared_length().sqrt() * inverse - 1.0F;
+      // An edge between two vertices inside is met from both.
+      FourLanes weights = d.counts;
+      for (int k = 0; k < 4; ++k) {
+        if (is_inside(ring_[at(i)][at(first + k)])) weights[k] *= 0.5F;
+      }
+      sum += (weights * stretch * stretch).sum();
     }
   }
   return sum;
@@ -310,9 +342,9 @@ bool NetPatch::is_upright() const {
     if (!is_inside(i) || mobility_[at(i)] == 0) continue;
     const int n = valence_[at(i)];
     for (int k = 0; k < (open_[at(i)] ? n - 1 : n); ++k) {
-      const Eigen::Vector3f b = at_origin(ring_[at(i)][at(k)]) - at_origin(i);
-      const Eigen::Vector3f c = at_origin(ring_[at(i)][at(k + 1 == n ? 0 : k + 1)]) - at_origin(i);
-      const Eigen::Vector3f area = b.cross(c);
+      const Vector b = place_[ring_[at(i)][at(k)]] - place_[at(i)];
+      const Vector c = place_[ring_[at(i)][at(k + 1 == n ? 0 : k + 1)]] - place_[at(i)];
+      const Vector area = b.cross3(c);
       if (area.dot(normal_[at(i)]) <= 0.2F * std::max(b.squaredNorm(), c.squaredNorm()))
         return false;
     }

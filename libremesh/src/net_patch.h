@@ -61,9 +61,9 @@ class NetPatch {
   [[nodiscard]] int count_within(int ring) const { return ring_end_[at(ring)]; }
   /// Invalid for a vertex that a split has made.
   [[nodiscard]] VertexHandle vertex(int i) const { return vertex_[at(i)]; }
-  void set_position(int i, const Eigen::Vector3d& p) { place(i, (p - origin_).cast<float>()); }
+  void set_position(int i, const Eigen::Vector3d& p) { place_[at(i)] = in_lanes(p - origin_); }
   [[nodiscard]] Eigen::Vector3d position(int i) const {
-    return origin_ + Eigen::Vector3d(x_[at(i)], y_[at(i)], z_[at(i)]);
+    return origin_ + place_[at(i)].cast<double>().head<3>();
   }
   [[nodiscard]] bool is_free(int i) const { return mobility_[at(i)] > 0 && valence_[at(i)] > 0; }
   [[nodiscard]] int valence(int i) const { return valence_[at(i)]; }
@@ -105,29 +105,22 @@ class NetPatch {
     return on_feature_[at(a)] && on_feature_[at(b)];
   }
 
-  using Lanes = Eigen::Array<float, most_neighbors, 1>;
-  struct Spokes {
-    Lanes x, y, z;
-  };
-  [[nodiscard]] Spokes spokes_of(int i) const;
-  [[nodiscard]] Eigen::Vector3f at_origin(int i) const { return {x_[at(i)], y_[at(i)], z_[at(i)]}; }
-  void place(int i, const Eigen::Vector3f& p) {
-    x_[at(i)] = p.x();
-    y_[at(i)] = p.y();
-    z_[at(i)] = p.z();
+  /// A vector and 0: a processor's register.
+  using Vector = Eigen::Vector4f;
+  static Vector in_lanes(const Eigen::Vector3d& v) {
+    return Eigen::Vector4d(v.x(), v.y(), v.z(), 0.0).cast<float>();
   }
+  [[nodiscard]] Vector spring_step(int i, float rest) const;
 
   int count_ = 0;
   bool whole_ = true;
   std::array<int, 8> ring_end_;
   std::array<VertexHandle, capacity> vertex_;
   Eigen::Vector3d origin_;
-  std::array<float, capacity> x_;  ///< positions, seen from the origin
-  std::array<float, capacity> y_;
-  std::array<float, capacity> z_;
-  std::array<Eigen::Vector3f, capacity> normal_;
-  std::array<Eigen::Vector3f, capacity> first_;  ///< tangent directions
-  std::array<Eigen::Vector3f, capacity> second_;
+  std::array<Vector, capacity> place_;  ///< positions, seen from the origin
+  std::array<Vector, capacity> normal_;
+  std::array<Vector, capacity> first_;  ///< tangent directions
+  std::array<Vector, capacity> second_;
   std::array<std::uint8_t, capacity> mobility_;  ///< 2: tangent plane, 1: curve, 0: fixed
   std::array<bool, capacity> on_feature_;
   std::array<bool, capacity> open_;             ///< the ring is not closed: on a boundary

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "spring_relaxation.h"
+#include "spring_step.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
@@ -49,6 +50,24 @@ TEST_F(Patch, IsTheMeshAroundItsCenter) {
     EXPECT_LT((patch.position(v) - mesh_.point(patch.vertex(v))).norm(), 1e-6);
   }
   expect_manifold(patch);
+}
+
+TEST_F(Patch, TakesTheSpringStepOfTheWholeNet) {
+  for (const double length : {0.15, 0.2, 0.25}) {  // pressed, at rest and stretched
+    for (const int center : {0, 17, 100}) {
+      const VertexHandle v(center);
+      const MotionFrame frame = motion_frame(sphere_, v);
+      SpringStep step(frame);
+      for (const auto neighbor : mesh_.vv_range(v)) {
+        step.add_edge(mesh_.point(neighbor) - mesh_.point(v), length);
+      }
+      NetPatch patch = cut_out(center);
+      patch.relax(length, 1, 1);
+      const Eigen::Vector3d moved = patch.position(0) - mesh_.point(v);
+      // Single precision, amplified where the springs nearly cancel.
+      EXPECT_LT((moved - step.displacement(length)).norm(), 1e-5 * length) << center;
+    }
+  }
 }
 
 TEST_F(Patch, FlipTakesAnEdgeAndGivesOne) {
