@@ -152,15 +152,23 @@ void ConstrainedMesh::assign(const std::vector<Eigen::Vector3d>& positions,
   }
 }
 
+SurfacePoint ConstrainedMesh::foot(const Eigen::Vector3d& p, int face) const {
+  if (!reach_) return surface_.nearest(p, face);
+  const SurfacePoint near = surface_.walk_towards(p, face);
+  if ((near.position - p).norm() <= *reach_) return near;
+  const SurfacePoint nearest = surface_.nearest(p, near.face);
+  return surface_.normal(nearest).dot(surface_.normal(near)) > 0.0 ? nearest : near;
+}
+
 Eigen::Vector3d ConstrainedMesh::project(const Eigen::Vector3d& p, Anchor& anchor) const {
   if (anchor.kind == FeatureKind::curve) {
     anchor.on_curve = curves_.nearest(p, anchor.on_curve);
-    anchor.face = surface_.nearest(anchor.on_curve.position, anchor.face).face;
+    anchor.face = foot(anchor.on_curve.position, anchor.face).face;
     return anchor.on_curve.position;
   }
-  const SurfacePoint foot = surface_.nearest(p, anchor.face);
-  anchor.face = foot.face;
-  return foot.position;
+  const SurfacePoint on_surface = foot(p, anchor.face);
+  anchor.face = on_surface.face;
+  return on_surface.position;
 }
 
 Eigen::Vector3d ConstrainedMesh::normal(VertexHandle v) const {

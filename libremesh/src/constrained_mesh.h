@@ -35,6 +35,14 @@ class ConstrainedMesh {
   [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[e]; }
   void set_curve(EdgeHandle e, std::optional<int> curve) { curve_of_[e] = curve; }
 
+  /// From now on vertices stay on the sheet of the surface that they are on, though in a thin part
+  /// another may be nearer: project() walks from the anchor, and no face turns away from its sheet.
+  ///
+  /// @param reach  A walk that ends farther away [mesh's unit] has run into a valley: the nearest
+  /// point, if it looks the same way, is then taken instead.
+  void stay_on_sheets(double reach) { reach_ = reach; }
+  [[nodiscard]] bool stays_on_sheets() const { return reach_.has_value(); }
+
   /// The allowed point nearest to p for a vertex with this anchor, which is updated.
   [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& p, Anchor& anchor) const;
 
@@ -68,8 +76,11 @@ class ConstrainedMesh {
               const std::vector<std::array<int, 3>>& triangles,
               const std::vector<CurveEdge>& curve_edges);
 
+  [[nodiscard]] SurfacePoint foot(const Eigen::Vector3d& p, int face) const;
+
   SurfaceProjector surface_;
   FeatureCurves curves_;
+  std::optional<double> reach_;
   OpenMesh::VProp<Anchor> anchors_;
   OpenMesh::EProp<std::optional<int>> curve_of_;
 };

@@ -1,12 +1,15 @@
 #include "trivalent/remesh/crystallize.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "annealing.h"
 #include "paper_loop.h"
 #include "sliding.h"
 #include "spring_relaxation.h"
+#include "thin_parts.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_quality.h"
 
@@ -42,17 +45,20 @@ constexpr Stage only_stage = {.first_temperature = 0.12, .core_energy = 0.03, .r
 constexpr int first_iterations = 20;
 constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
 constexpr int opening_sweeps = 60;   // before they move
+constexpr int mending_sweeps = 20;   // before what they cannot mend is found
 
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int fewest_coarse_vertices = 150;
 
 int crossings(const TriMesh& mesh) { return measure_quality(mesh).self_intersections; }
 
-/// Whether the net sees the shape: faces look about where the surface does at their corners, and no
-/// thin part is crossed by its own other side. What starts crossed stays crossed.
-bool is_sound(const Net& net) {
+/// Whether the net of this edge length sees the shape, but for a few thin parts that can be mended
+/// after the division: faces look about where the surface does at their corners, none cross, and
+/// no part of the surface is left out.
+bool is_sound(const Net& net, const TriMesh& surface, double length) {
   constexpr double least_cosine = 0.25;
-  constexpr double most_astray = 0.003;  // of the faces: a sharp tip may be cut off
+  constexpr double most_astray = 0.01;      // of the faces
+  constexpr double farthest_covered = 1.6;  // edges: tips may be cut off, but no fingers
   int astray = 0;
   for (const auto f : net.mesh.faces()) {
     const Eigen::Vector3d normal = net.mesh.calc_normal(f);
@@ -60,7 +66,10 @@ bool is_sound(const Net& net) {
     for (const auto v : f.vertices()) there += net.on_surface.normal(v);
     if (normal.dot(there) < least_cosine * there.norm()) ++astray;
   }
-  return astray <= most_astray * static_cast<double>(net.mesh.n_faces()) &&
+  if (astray > most_astray * static_cast<double>(net.mesh.n_faces())) return false;
+  const std::vector<Eigen::Vector3d> points(surface.points(),
+                                            surface.points() + surface.n_vertices());
+  return std::ranges::max(distances_to_surface(points, net.mesh)) < farthest_covered * length &&
          crossings(net.mesh) == 0;
 }
 
@@ -79,12 +88,16 @@ class Crystallization {
   RemeshResult run() {
     check_remeshable(surface_, paper_options(options_.target_edge_length));
     std::unique_ptr<Net> net = from_coarse_net();
+    bool coarse_start = net != nullptr;
     if (!net) {
       net = from_fine_net();
     } else if (!stopped_ && crossings(net->mesh) > crossings(surface_)) {
       // Some thin part was still too thin for the coarse net.
       std::unique_ptr<Net> other = from_fine_net();
-      if (crossings(other->mesh) < crossings(net->mesh)) net = std::move(other);
+      if (crossings(other->mesh) < crossings(net->mesh)) {
+        net = std::move(other);
+        coarse_start = false;
+      }
     }
     const RemeshProgress state = measure_progress(net->mesh);
     RemeshResult result;
@@ -93,6 +106,7 @@ class Crystallization {
     result.relative_spread = state.relative_spread;
     result.regular_fraction = state.regular_fraction;
     result.stopped = stopped_;
+    result.coarse_start = coarse_start;
     return result;
   }
 
@@ -111,6 +125,8 @@ class Crystallization {
     rounds_ += rounds_of(coarse_stage) + rounds_of(fine_stage);
     anneal_net(*net, 2.0 * m * chord_factor(*net, area_), coarse_stage);
     net->on_surface.subdivide();
+    relax_springs(net->on_surface, m, mending_sweeps);
+    mend_thin_parts(net->on_surface, surface_, m);
     anneal_net(*net, m, fine_stage);
     finish(*net);
     return net;
@@ -127,12 +143,14 @@ class Crystallization {
   void finish(Net& net) const {
     relax_springs(net.on_surface, options_.target_edge_length, closing_sweeps);
     straddle_surface(net.on_surface);
+    if (crossings(net.mesh) > 0 && crossings(surface_) == 0) part_sheets(net.on_surface);
   }
 
   /// The surface remeshed by the paper's loop.
   [[nodiscard]] std::unique_ptr<Net> first_net(double length) const {
     auto net = std::make_unique<Net>(surface_, options_.feature_angle);
     remesh_in_place(net->on_surface, paper_options(length), [](const RemeshProgress&) {});
+    net->on_surface.stay_on_sheets(0.1 * length);
     return net;
   }
 
@@ -147,8 +165,9 @@ class Crystallization {
       return nullptr;  // a part of the surface cannot hold so long an edge
     }
     std::unique_ptr<Net> net = first_net(length);
+    unfold(net->on_surface);
     relax_springs(net->on_surface, length, opening_sweeps);
-    return is_sound(*net) ? std::move(net) : nullptr;
+    return is_sound(*net, surface_, length) ? std::move(net) : nullptr;
   }
 
   [[nodiscard]] int rounds_of(const Stage& stage) const {

@@ -97,8 +97,7 @@ class IntersectionTest {
 };
 
 /// Adds pairs to those found; which are the first few does not depend on the order of adding.
-CrossingFaces merged(CrossingFaces found, const CrossingFaces& more) {
-  constexpr std::size_t most_places = 5;
+CrossingFaces merged(CrossingFaces found, const CrossingFaces& more, std::size_t most_places) {
   found.count += more.count;
   found.first.insert(found.first.end(), more.first.begin(), more.first.end());
   std::sort(found.first.begin(), found.first.end());
@@ -106,22 +105,27 @@ CrossingFaces merged(CrossingFaces found, const CrossingFaces& more) {
   return found;
 }
 
-CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& candidates) {
+CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& candidates,
+                   std::size_t most_places) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, candidates.size()), CrossingFaces(),
       [&](const tbb::blocked_range<std::size_t>& range, CrossingFaces found) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          if (meet(candidates[i])) found = merged(std::move(found), {1, {candidates[i]}});
+          if (!meet(candidates[i])) continue;
+          found = merged(std::move(found), {1, {candidates[i]}}, most_places);
         }
         return found;
       },
-      merged);
+      [&](CrossingFaces a, const CrossingFaces& b) {
+        return merged(std::move(a), b, most_places);
+      });
 }
 
 }  // namespace
 
 CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
-                                  std::span<const std::array<int, 3>> triangles) {
+                                  std::span<const std::array<int, 3>> triangles,
+                                  std::size_t most_places) {
   const IntersectionTest meet(points, triangles);
   std::vector<Box> boxes = meet.boxes();
   std::vector<FacePair> candidates;
@@ -130,10 +134,10 @@ CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
     candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
     if (candidates.size() < batch_size) return;
-    found = merged(std::move(found), test(meet, candidates));
+    found = merged(std::move(found), test(meet, candidates, most_places), most_places);
     candidates.clear();
   });
-  return merged(std::move(found), test(meet, candidates));
+  return merged(std::move(found), test(meet, candidates, most_places), most_places);
 }
 
 }  // namespace trivalent::remesh

@@ -12,13 +12,16 @@ namespace trivalent::remesh {
 /// Pairs of faces that meet elsewhere than in the vertex or edge they share.
 struct CrossingFaces {
   std::size_t count = 0;
-  std::vector<std::array<int, 2>> first;  ///< the first few, by index
+  std::vector<std::array<int, 2>> first;  ///< as many as asked for, by index
 };
 
 /// By exact predicates. Faces without an area meet nothing.
 ///
+/// @param most_places  Length of the list of pairs; all are counted.
+///
 /// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces.
 [[nodiscard]] CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
-                                                std::span<const std::array<int, 3>> triangles);
+                                                std::span<const std::array<int, 3>> triangles,
+                                                std::size_t most_places = 5);
 
 }  // namespace trivalent::remesh

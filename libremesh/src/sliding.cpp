@@ -18,13 +18,32 @@ Eigen::Vector3d area_vector(const std::array<int, 3>& face,
   return (b - a).cross(c - a);
 }
 
-/// Vertices of faces that look the other way at `after` than at `before`.
+/// Where all vertices are, and what the surface's normals are there; no normals if they do not
+/// matter.
+struct Placement {
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Vector3d> normals;
+};
+
+/// Whether a face looks into the surface; across a tip it may look a little inwards.
+bool looks_inwards(const std::array<int, 3>& face, const Placement& at) {
+  constexpr double least_cosine = -0.3;
+  Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+  for (const int v : face) outward += at.normals[static_cast<std::size_t>(v)];
+  const Eigen::Vector3d area = area_vector(face, at.positions);
+  return area.dot(outward) < least_cosine * area.norm() * outward.norm();
+}
+
+/// Vertices of faces that look the other way at `after` than at `before`, or no longer outwards.
 std::vector<VertexHandle> turned_vertices(const std::vector<std::array<int, 3>>& faces,
-                                          const std::vector<Eigen::Vector3d>& before,
-                                          const std::vector<Eigen::Vector3d>& after) {
+                                          const Placement& before, const Placement& after) {
   std::vector<VertexHandle> turned;
   for (const auto& face : faces) {
-    if (area_vector(face, before).dot(area_vector(face, after)) >= 0.0) continue;
+    const bool turns =
+        area_vector(face, before.positions).dot(area_vector(face, after.positions)) < 0.0;
+    const bool turns_inwards =
+        !after.normals.empty() && looks_inwards(face, after) && !looks_inwards(face, before);
+    if (!turns && !turns_inwards) continue;
     for (const int v : face) turned.emplace_back(v);
   }
   std::sort(turned.begin(), turned.end());
@@ -36,20 +55,28 @@ std::vector<VertexHandle> turned_vertices(const std::vector<std::array<int, 3>>&
 
 void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vector3d>& targets) {
   TriMesh& mesh = constrained.mesh;
-  std::vector<Eigen::Vector3d> before(mesh.n_vertices());
-  for (const auto v : mesh.vertices()) before[index(v)] = mesh.point(v);
-  std::vector<Eigen::Vector3d> after = before;
+  const std::size_t n = mesh.n_vertices();
+  Placement before{std::vector<Eigen::Vector3d>(n), {}};
+  for (const auto v : mesh.vertices()) before.positions[index(v)] = mesh.point(v);
+  if (constrained.stays_on_sheets()) {
+    before.normals.resize(n);
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+      before.normals[i] = constrained.normal(VertexHandle(static_cast<int>(i)));
+    });
+  }
+  Placement after = before;
   const auto project = [&](VertexHandle v, const Eigen::Vector3d& target) {
     Anchor anchor = constrained.anchor(v);
     if (anchor.kind == FeatureKind::corner) return;
-    after[index(v)] = constrained.project(target, anchor);
+    after.positions[index(v)] = constrained.project(target, anchor);
     constrained.set_anchor(v, anchor);
+    if (!after.normals.empty()) {
+      after.normals[index(v)] =
+          constrained.surface().normal({after.positions[index(v)], anchor.face});
+    }
   };
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(mesh.n_vertices())),
-                    [&](const auto& range) {
-                      for (int i = range.begin(); i < range.end(); ++i)
-                        project(VertexHandle(i), targets[static_cast<std::size_t>(i)]);
-                    });
+  tbb::parallel_for(std::size_t{0}, n,
+                    [&](std::size_t i) { project(VertexHandle(static_cast<int>(i)), targets[i]); });
 
   constexpr int half_steps = 3;
   const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
@@ -59,14 +86,15 @@ void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vecto
     // A face whose three vertices stay does not turn, so this ends.
     for (const VertexHandle v : turned) {
       if (attempt < half_steps) {
-        project(v, 0.5 * (before[index(v)] + after[index(v)]));
+        project(v, 0.5 * (before.positions[index(v)] + after.positions[index(v)]));
       } else {
-        project(v, before[index(v)]);  // for the anchor's sake
-        after[index(v)] = before[index(v)];
+        project(v, before.positions[index(v)]);  // for the anchor's sake
+        after.positions[index(v)] = before.positions[index(v)];
+        if (!before.normals.empty()) after.normals[index(v)] = before.normals[index(v)];
       }
     }
   }
-  for (const auto v : mesh.vertices()) mesh.point(v) = after[index(v)];
+  for (const auto v : mesh.vertices()) mesh.point(v) = after.positions[index(v)];
 }
 
 void straddle_surface(ConstrainedMesh& constrained) {

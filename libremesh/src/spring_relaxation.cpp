@@ -40,15 +40,14 @@ std::vector<MotionFrame> frames_of(const ConstrainedMesh& constrained) {
   return frames;
 }
 
-}  // namespace
-
-void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
-  const TriMesh& mesh = constrained.mesh;
-  const Neighborhoods around = neighborhoods_of(mesh);
+/// Where the vertices go in so many sweeps, all in the tangent planes of where they are.
+std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
+                                             const Neighborhoods& around, double length,
+                                             int sweeps) {
   const std::vector<MotionFrame> frames = frames_of(constrained);
-  std::vector<Eigen::Vector3d> positions(mesh.n_vertices());
+  std::vector<Eigen::Vector3d> positions(frames.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    positions[i] = mesh.point(VertexHandle(static_cast<int>(i)));
+    positions[i] = constrained.mesh.point(VertexHandle(static_cast<int>(i)));
   }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -61,7 +60,18 @@ void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
       positions[i] += step.displacement(length);
     }
   }
-  slide_vertices(constrained, positions);
+  return positions;
+}
+
+}  // namespace
+
+void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
+  constexpr int sweeps_per_slide = 5;  // tangent planes and springs' far ends are then still right
+  const Neighborhoods around = neighborhoods_of(constrained.mesh);
+  for (int done = 0; done < sweeps; done += sweeps_per_slide) {
+    slide_vertices(constrained, positions_after(constrained, around, length,
+                                                std::min(sweeps_per_slide, sweeps - done)));
+  }
 }
 
 double spring_strain(const TriMesh& mesh, double length) {

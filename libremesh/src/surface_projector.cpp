@@ -6,7 +6,10 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "trivalent/remesh/error.h"
 
@@ -34,7 +37,48 @@ std::vector<Eigen::Vector3d> angle_weighted_normals(const TriMesh& surface) {
       if (std::isfinite(angle)) normals[static_cast<std::size_t>(h.to().idx())] += angle * n;
     }
   }
+  for (Eigen::Vector3d& n : normals) n.normalize();
   return normals;
+}
+
+/// The point of a triangle nearest to another point.
+struct Foot {
+  Eigen::Vector3d position;
+  double squared_distance;
+  /// Which corners have a part in it: bits 0 to 2.
+  unsigned corners;
+};
+
+Foot foot_on(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
+  const auto foot = [&](const Eigen::Vector3d& at, unsigned corners) -> Foot {
+    return {at, (at - p).squaredNorm(), corners};
+  };
+  // By the regions of [Ericson2004, 5.1.5]: three corners, three edges, the inside.
+  const Eigen::Vector3d ab = t[1] - t[0];
+  const Eigen::Vector3d ac = t[2] - t[0];
+  const Eigen::Vector3d ap = p - t[0];
+  const double ab_a = ab.dot(ap);
+  const double ac_a = ac.dot(ap);
+  if (ab_a <= 0.0 && ac_a <= 0.0) return foot(t[0], 1U);
+  const Eigen::Vector3d bp = p - t[1];
+  const double ab_b = ab.dot(bp);
+  const double ac_b = ac.dot(bp);
+  if (ab_b >= 0.0 && ac_b <= ab_b) return foot(t[1], 2U);
+  const double c = ab_a * ac_b - ab_b * ac_a;
+  if (c <= 0.0 && ab_a >= 0.0 && ab_b <= 0.0) return foot(t[0] + ab_a / (ab_a - ab_b) * ab, 3U);
+  const Eigen::Vector3d cp = p - t[2];
+  const double ab_c = ab.dot(cp);
+  const double ac_c = ac.dot(cp);
+  if (ac_c >= 0.0 && ab_c <= ac_c) return foot(t[2], 4U);
+  const double b = ab_c * ac_a - ab_a * ac_c;
+  if (b <= 0.0 && ac_a >= 0.0 && ac_c <= 0.0) return foot(t[0] + ac_a / (ac_a - ac_c) * ac, 5U);
+  const double a = ab_b * ac_c - ab_c * ac_b;
+  const double to_c = ac_b - ab_b;
+  const double to_b = ab_c - ac_c;
+  if (a <= 0.0 && to_c >= 0.0 && to_b >= 0.0) {
+    return foot(t[1] + to_c / (to_c + to_b) * (t[2] - t[1]), 6U);
+  }
+  return foot(t[0] + (b * ab + c * ac) / (a + b + c), 7U);
 }
 
 }  // namespace
@@ -45,7 +89,49 @@ struct SurfaceProjector::Impl {
   std::vector<int> triangle_of;               // triangle, per face of the surface
   std::vector<std::array<int, 3>> corners;    // vertices, per face of the surface
   std::vector<Eigen::Vector3d> vertex_normals;
+  std::vector<int> fan_begin;  // of each vertex in `fans`, and the end of the last
+  std::vector<int> fans;       // triangles around every vertex, one vertex after the other
   Tree tree;
+
+  void gather_fans(std::size_t n_vertices) {
+    fan_begin.assign(n_vertices + 1, 0);
+    for (const int face : face_of) {
+      for (const int v : corners[at(face)]) ++fan_begin[at(v) + 1];
+    }
+    std::partial_sum(fan_begin.begin(), fan_begin.end(), fan_begin.begin());
+    fans.resize(3 * face_of.size());
+    std::vector<int> end = fan_begin;
+    for (std::size_t t = 0; t < face_of.size(); ++t) {
+      for (const int v : corners[at(face_of[t])]) fans[at(end[at(v)]++)] = static_cast<int>(t);
+    }
+  }
+
+  [[nodiscard]] Foot foot(int triangle, const Eigen::Vector3d& p) const {
+    const Kernel::Triangle_3& t = triangles[at(triangle)];
+    return foot_on({to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2])}, p);
+  }
+
+  /// The triangle nearest to p of those that share the corners of a foot.
+  [[nodiscard]] std::pair<int, Foot> nearest_sharing(int triangle, const Foot& foot,
+                                                     const Eigen::Vector3d& p) const {
+    std::pair<int, Foot> best = {triangle, foot};
+    const std::array<int, 3>& own = corners[at(face_of[at(triangle)])];
+    const auto v = at(own[foot.corners & 1U ? 0 : foot.corners & 2U ? 1 : 2]);
+    for (int i = fan_begin[v]; i < fan_begin[v + 1]; ++i) {
+      const int other = fans[at(i)];
+      const std::array<int, 3>& others = corners[at(face_of[at(other)])];
+      bool shares = other != triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if ((foot.corners >> k & 1U) && std::ranges::count(others, own[k]) == 0) shares = false;
+      }
+      if (!shares) continue;
+      const Foot next = this->foot(other, p);
+      if (next.squared_distance < best.second.squared_distance) best = {other, next};
+    }
+    return best;
+  }
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] SurfacePoint answer(const Tree::Point_and_primitive_id& hit) const {
     const auto triangle = static_cast<std::size_t>(hit.second - triangles.begin());
@@ -70,6 +156,7 @@ SurfaceProjector::SurfaceProjector(const TriMesh& surface) : impl_(std::make_uni
     throw InvalidMesh("surface projector: no face of the surface has an area");
   }
   for (int& t : impl_->triangle_of) t = std::min(t, static_cast<int>(impl_->triangles.size()) - 1);
+  impl_->gather_fans(surface.n_vertices());
   impl_->vertex_normals = angle_weighted_normals(surface);
   impl_->tree.rebuild(impl_->triangles.cbegin(), impl_->triangles.cend());
   impl_->tree.build();
@@ -92,6 +179,19 @@ SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const
       impl_->tree.closest_point_and_primitive(to_cgal(p), {on_triangle, triangle}));
 }
 
+SurfacePoint SurfaceProjector::walk_towards(const Eigen::Vector3d& p, int face) const {
+  constexpr unsigned inside = 7U;
+  int triangle = impl_->triangle_of[static_cast<std::size_t>(face)];
+  Foot foot = impl_->foot(triangle, p);
+  while (foot.corners != inside) {
+    const auto [next, there] = impl_->nearest_sharing(triangle, foot, p);
+    if (next == triangle) break;
+    triangle = next;
+    foot = there;
+  }
+  return {foot.position, impl_->face_of[static_cast<std::size_t>(triangle)]};
+}
+
 Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
   const auto face = static_cast<std::size_t>(p.face);
   const Kernel::Triangle_3& t =
@@ -104,7 +204,7 @@ Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
   const double at_a = (b - p.position).cross(c - p.position).dot(face_normal) / area;
   const double at_b = (c - p.position).cross(a - p.position).dot(face_normal) / area;
   const auto vertex_normal = [&](std::size_t k) {
-    return impl_->vertex_normals[static_cast<std::size_t>(impl_->corners[face][k])].normalized();
+    return impl_->vertex_normals[static_cast<std::size_t>(impl_->corners[face][k])];
   };
   const Eigen::Vector3d n =
       at_a * vertex_normal(0) + at_b * vertex_normal(1) + (1.0 - at_a - at_b) * vertex_normal(2);

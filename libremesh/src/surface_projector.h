@@ -30,6 +30,11 @@ class SurfaceProjector {
   /// The same, quicker if the answer is near the given face.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& p, int face) const;
 
+  /// The point of the surface where a walk from the given face comes to rest that goes from face to
+  /// face, always nearer to p: on the sheet where it began, be another one as near as it may. Takes
+  /// a few faces for a short way, and does not search.
+  [[nodiscard]] SurfacePoint walk_towards(const Eigen::Vector3d& p, int face) const;
+
   /// Unit normal: the vertex normals interpolated over the face, as a smooth surface would have it.
   [[nodiscard]] Eigen::Vector3d normal(const SurfacePoint& p) const;
 

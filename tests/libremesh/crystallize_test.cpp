@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <filesystem>
 #include <limits>
 #include <numbers>
 
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/remesh/shapes.h"
 
@@ -42,6 +44,20 @@ TEST_P(Crystallize, MakesAlmostPerfectNetsOnClosedSurfaces) {
   EXPECT_LE(quality.valences.rbegin()->first, 7);
 }
 INSTANTIATE_TEST_SUITE_P(Shapes, Crystallize, testing::Values("sphere", "torus", "double-torus"));
+
+TEST(CrystallizeNet, BeginsCoarseThoughPartsAreThin) {
+  // Ears and tusks are thinner than the coarse net's edges.
+  const auto path = std::filesystem::path(TRIVALENT_MESHES) / "elephant.off";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  const TriMesh elephant = read_mesh(path).mesh;
+  const RemeshResult result = crystallize(elephant, quick(0.012));
+  EXPECT_TRUE(result.coarse_start);
+  const MeshQuality quality = measure_quality(result.mesh);
+  EXPECT_EQ(quality.self_intersections, 0);
+  EXPECT_EQ(quality.euler_characteristic, testing_support::euler_characteristic(elephant));
+  EXPECT_GT(quality.regular_fraction, 0.94);
+  EXPECT_LT(measure_distance(result.mesh, elephant).max(), 0.012);  // tips are reached
+}
 
 TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh torus = make_shape("torus", {}, 0.16);

@@ -26,6 +26,27 @@ TEST(SurfaceProjector, FindsTheSamePointFromAnyFace) {
   }
 }
 
+TEST(SurfaceProjector, WalksToTheNearestPointFromAnyFaceThatLooksThere) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.3);
+  const SurfaceProjector surface(sphere);
+  const Eigen::Vector3d p(0.9, 0.8, 0.7);
+  const Eigen::Vector3d expected = surface.nearest(p).position;
+  for (int face = 0; face < static_cast<int>(sphere.n_faces()); ++face) {
+    if (sphere.calc_normal(FaceHandle(face)).dot(p) < 0.0) continue;
+    ASSERT_LT((surface.walk_towards(p, face).position - expected).norm(), 1e-12) << face;
+  }
+}
+
+TEST(SurfaceProjector, WalksOnTheSheetWhereItBegins) {
+  TriMesh lens = make_shape("sphere", {}, 0.1);
+  for (const auto v : lens.vertices()) lens.point(v).z() *= 0.05;
+  const SurfaceProjector surface(lens);
+  const int above = surface.nearest({0.1, 0.0, 1.0}).face;
+  const Eigen::Vector3d p(0.0, 0.0, -0.02);
+  EXPECT_LT(surface.nearest(p).position.z(), 0.0);
+  EXPECT_GT(surface.walk_towards(p, above).position.z(), 0.0);
+}
+
 TEST(SurfaceProjector, InterpolatesTheNormalsOfASphere) {
   const TriMesh sphere = make_shape("sphere", {}, 0.1);
   const SurfaceProjector surface(sphere);

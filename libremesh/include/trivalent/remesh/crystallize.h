@@ -38,16 +38,18 @@ struct CrystalOptions {
 ///    or none, is taken with the probabilities of a heat bath. The energy is that of springs, Σ
 ///    (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain by
 ///    buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel.
-/// 3. Every face is divided into four, which keeps the defects as few, and the net is annealed
-///    again, colder, at the target length. If thin parts of it cross themselves, the search begins
-///    anew at the target length, and the net with fewer crossings is taken.
+/// 3. Every face is divided into four, which keeps the defects as few; parts too thin for the
+///    coarse net are mended: folds undone, tips reached, edges far from the target split or
+///    collapsed; and the net is annealed again, colder, at the target length. If it still crosses
+///    itself, the search begins anew at the target length, and the net with fewer crossings is
+///    taken.
 ///
 /// Genus, orientation, boundaries and creases of the input are kept, as by remesh(). The result
 /// depends on the seed, not on the number of threads.
 ///
 /// @param mesh  As for remesh().
 /// @return      `iterations` counts rounds of annealing. `stopped` tells whether should_stop ended
-/// it.
+/// it, `coarse_start` whether the net comes from one of twice the length.
 /// @throws InvalidMesh, InvalidOption  as remesh() does.
 ///
 /// Cost: O(n) patches a round, and a fixed number of rounds.

@@ -44,6 +44,7 @@ struct RemeshResult {
   double relative_spread = 0.0;   ///< standard deviation / mean of the edge lengths
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices
   bool stopped = false;           ///< ended before its time because that was asked for
+  bool coarse_start = false;      ///< crystallize(): the net was divided from one twice as coarse
 };
 
 /// Remeshes a surface until all edges come close to one length, [Pecanha2013, Algorithm 1].
