@@ -50,6 +50,7 @@ Json report_json(const BuildRecord& record, const Session& session) {
                {"target_edge_length", record.shell.target_edge_length * record.shell.scale},
                {"remeshings", record.shell.remeshings},
                {"iterations", record.shell.surface.iterations},
+               {"net", net_json(record.shell.surface)},
                {"input_quality", quality_json(record.input_quality)},
                {"quality", quality_json(record.quality)},
                {"components", components_json(record.components)},
@@ -71,6 +72,7 @@ Json report_json(const BuildRecord& record, const Session& session) {
 std::vector<TableRow> summary_rows(const BuildRecord& record) {
   std::vector<TableRow> rows = {{"surface [Å]"}};
   append(rows, quality_rows(record.quality));
+  append(rows, net_rows(record.shell.surface));
   append(rows, components_rows(record.components));
   append(rows, distance_rows(record.distance));
   rows.push_back({"shell"});

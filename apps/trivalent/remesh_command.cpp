@@ -43,10 +43,12 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto distance = remesh::measure_distance(remeshed.mesh, original);
   Result result = {.table = {{"wrote", output}}, .json = {{"file", output}}};
   append(result.table, quality_rows(quality));
+  append(result.table, net_rows(remeshed));
   append(result.table, distance_rows(distance));
   result.json["notes"] = input.notes;
   result.json["wrap_offset"] = input.offset;
   result.json["iterations"] = remeshed.iterations;
+  result.json["net"] = net_json(remeshed);
   result.json["stopped"] = remeshed.stopped;
   result.json["target_edge_length"] = edge;
   result.json["quality"] = quality_json(quality);

@@ -1,8 +1,11 @@
 #include "reports.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
+
+#include "trivalent/remesh/surface_shape.h"
 
 namespace trivalent::apps {
 namespace {
@@ -11,6 +14,14 @@ double degrees(double radian) { return radian * 180.0 / std::numbers::pi; }
 
 Json one_sided_json(const remesh::SurfaceDistance& distance) {
   return {{"max", distance.max}, {"mean", distance.mean}, {"rms", distance.root_mean_square}};
+}
+
+/// Places where carbon cannot follow a net: hardly any sp2 carbon bends more tightly than C60,
+/// whose radius is 3.55 Å at a bond of 1.42 Å; edges are √3 bonds long.
+remesh::FineParts too_fine_parts(const remesh::TriMesh& net) {
+  constexpr double radius_in_bonds = 2.5;
+  return remesh::find_fine_parts(
+      net, radius_in_bonds / std::numbers::sqrt3 * remesh::mean_edge_length(net));
 }
 
 }  // namespace
@@ -87,6 +98,33 @@ Json network_json(const dual::NetworkReport& network) {
             {"standard_deviation", network.bond_spread},
             {"min", network.bond_min},
             {"max", network.bond_max}}}};
+}
+
+Json net_json(const remesh::RemeshResult& net) {
+  const remesh::FineParts fine = too_fine_parts(net.mesh);
+  return {{"coarse_start", net.coarse_start},
+          {"too_fine",
+           {{"vertices", fine.vertices},
+            {"growth", fine.growth},
+            {"edge_length", remesh::mean_edge_length(net.mesh) / fine.growth},
+            {"faces",
+             std::lround(static_cast<double>(net.mesh.n_faces()) * fine.growth * fine.growth)}}}};
+}
+
+std::vector<TableRow> net_rows(const remesh::RemeshResult& net) {
+  const remesh::FineParts fine = too_fine_parts(net.mesh);
+  std::vector<TableRow> rows = {
+      {"search began", net.coarse_start ? "at twice the edge length" : "at the edge length"}};
+  std::string text = std::to_string(fine.vertices) + " vertices bend more tightly than C60";
+  if (fine.growth > 1.0) {
+    text += "; few would at " + significant(fine.growth, 2) + " times the size (edges of " +
+            significant(remesh::mean_edge_length(net.mesh) / fine.growth, 3) + " here, or " +
+            std::to_string(
+                std::lround(static_cast<double>(net.mesh.n_faces()) * fine.growth * fine.growth)) +
+            " atoms)";
+  }
+  rows.push_back({"too fine", text});
+  return rows;
 }
 
 std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {

@@ -10,6 +10,7 @@
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/remesh.h"
 
 namespace trivalent::apps {
 
@@ -19,6 +20,8 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json quality_json(const remesh::MeshQuality& quality);
 [[nodiscard]] Json components_json(const remesh::MeshComponents& components);
 [[nodiscard]] Json distance_json(const remesh::TwoSidedDistance& distance);
+/// How a net came about, and where it bends more tightly than C60.
+[[nodiscard]] Json net_json(const remesh::RemeshResult& net);
 /// JSON has only text as keys.
 [[nodiscard]] Json histogram_json(const std::map<int, int>& histogram);
 [[nodiscard]] Json network_json(const dual::NetworkReport& network);
@@ -29,6 +32,7 @@ using Json = nlohmann::ordered_json;
 /// Nothing for a single component, which the quality describes.
 [[nodiscard]] std::vector<TableRow> components_rows(const remesh::MeshComponents& components);
 [[nodiscard]] std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance);
+[[nodiscard]] std::vector<TableRow> net_rows(const remesh::RemeshResult& net);
 [[nodiscard]] std::vector<TableRow> network_rows(const dual::NetworkReport& network);
 
 void append(std::vector<TableRow>& rows, const std::vector<TableRow>& more);

@@ -1,6 +1,8 @@
 #include "trivalent/remesh/surface_shape.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace trivalent::remesh {
@@ -13,6 +15,27 @@ double bend_at(const TriMesh& mesh, EdgeHandle edge) {
   if (mesh.is_boundary(edge)) return 0.0;
   const double angle = mesh.calc_dihedral_angle(edge);
   return std::isfinite(angle) ? angle : 0.0;
+}
+
+/// Area and integral of the mean curvature that belong to each vertex.
+struct Bending {
+  std::vector<double> area;
+  std::vector<double> bend;
+};
+
+Bending bending_of(const TriMesh& mesh) {
+  Bending result{std::vector<double>(mesh.n_vertices(), 0.0),
+                 std::vector<double>(mesh.n_vertices(), 0.0)};
+  for (const auto f : mesh.faces()) {  // each vertex has a third of the faces around
+    for (const auto v : mesh.fv_range(f)) result.area[index(v)] += mesh.calc_face_area(f) / 3.0;
+  }
+  // Half the angle times the length of an edge, which its two vertices share.
+  for (const auto e : mesh.edges()) {
+    const double share = 0.25 * bend_at(mesh, e) * mesh.calc_edge_length(e);
+    result.bend[index(e.v0())] += share;
+    result.bend[index(e.v1())] += share;
+  }
+  return result;
 }
 
 }  // namespace
@@ -28,18 +51,7 @@ FeatureLines find_feature_lines(const TriMesh& mesh, double angle) {
 }
 
 double tightly_curved_fraction(const TriMesh& mesh, double radius) {
-  std::vector<double> area(mesh.n_vertices(), 0.0);  // a third of the faces around
-  for (const auto f : mesh.faces()) {
-    for (const auto v : mesh.fv_range(f)) area[index(v)] += mesh.calc_face_area(f) / 3.0;
-  }
-  // Integral of the mean curvature: half the angle times the length of an edge, which its two
-  // vertices share.
-  std::vector<double> bend(mesh.n_vertices(), 0.0);
-  for (const auto e : mesh.edges()) {
-    const double share = 0.25 * bend_at(mesh, e) * mesh.calc_edge_length(e);
-    bend[index(e.v0())] += share;
-    bend[index(e.v1())] += share;
-  }
+  const auto [area, bend] = bending_of(mesh);
   double tight = 0.0;
   double total = 0.0;
   for (std::size_t v = 0; v < area.size(); ++v) {
@@ -47,6 +59,22 @@ double tightly_curved_fraction(const TriMesh& mesh, double radius) {
     if (std::abs(bend[v]) * radius > area[v]) tight += area[v];
   }
   return total > 0.0 ? tight / total : 0.0;
+}
+
+FineParts find_fine_parts(const TriMesh& mesh, double radius) {
+  constexpr std::size_t one_in = 1000;
+  const auto [area, bend] = bending_of(mesh);
+  std::vector<double> tightness;  // times the radius: > 1 is too tight
+  for (std::size_t v = 0; v < area.size(); ++v) {
+    const double at_radius = std::abs(bend[v]) * radius;
+    if (at_radius > area[v] && area[v] > 0.0) tightness.push_back(at_radius / area[v]);
+  }
+  FineParts parts{.vertices = static_cast<int>(tightness.size())};
+  const std::size_t accepted = mesh.n_vertices() / one_in;
+  if (tightness.size() <= accepted) return parts;
+  std::ranges::sort(tightness, std::greater());
+  parts.growth = tightness[accepted];
+  return parts;
 }
 
 }  // namespace trivalent::remesh

@@ -22,7 +22,22 @@ TEST_F(RemeshCommand, MakesCrystalNetsUnlessToldOtherwise) {
   EXPECT_NEAR(result["quality"]["edge_length"]["mean"].get<double>(), 0.15, 0.01 * 0.15);
   EXPECT_GT(result["quality"]["regular_fraction"].get<double>(), 0.92);
   EXPECT_EQ(result["stopped"], false);
+  EXPECT_EQ(result["net"]["coarse_start"], true);
+  EXPECT_EQ(result["net"]["too_fine"]["vertices"], 0);
   EXPECT_TRUE(has("out.off"));
+}
+
+TEST_F(RemeshCommand, TellsAtWhichEdgeLengthASurfaceIsNotTooFine) {
+  // A tube of radius 0.4 bends like a sphere of radius 0.8; C60 of these edges has 0.87.
+  const std::string options = " --method paper --json --edge ";
+  const auto coarse =
+      succeed("remesh torus.off out.off" + options + "0.6").json()["net"]["too_fine"];
+  EXPECT_GT(coarse["vertices"], 0);
+  EXPECT_GT(coarse["growth"], 1.0);
+  const double edge = coarse["edge_length"];
+  const auto fine =
+      succeed("remesh torus.off out.off" + options + std::to_string(edge / 2.0)).json();
+  EXPECT_EQ(fine["net"]["too_fine"]["growth"], 1.0);
 }
 
 TEST_F(RemeshCommand, RefusesOptionsOfTheOtherMethod) {

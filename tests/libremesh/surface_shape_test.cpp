@@ -47,5 +47,22 @@ TEST(TightlyCurvedFraction, LooksAtBothSidesAlike) {
   EXPECT_EQ(tightly_curved_fraction(hollow, 10.0), 1.0);
 }
 
+TEST(FindFineParts, TellsHowMuchLargerASphereMustBe) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.1);
+  const int vertices = static_cast<int>(sphere.n_vertices());
+  EXPECT_EQ(find_fine_parts(sphere, 0.8).vertices, 0);
+  EXPECT_EQ(find_fine_parts(sphere, 0.8).growth, 1.0);
+  EXPECT_EQ(find_fine_parts(sphere, 3.0).vertices, vertices);
+  // Curvature around a vertex of valence 5 comes out up to a fifth too high.
+  EXPECT_GE(find_fine_parts(sphere, 3.0).growth, 3.0);
+  EXPECT_LE(find_fine_parts(sphere, 3.0).growth, 3.6);
+}
+
+TEST(FindFineParts, GrowsWithTheSurface) {
+  TriMesh sphere = make_shape("sphere", {}, 0.1);
+  scale(sphere, find_fine_parts(sphere, 3.0).growth);
+  EXPECT_LE(find_fine_parts(sphere, 3.0).vertices, static_cast<int>(sphere.n_vertices()) / 1000);
+}
+
 }  // namespace
 }  // namespace trivalent::remesh

@@ -17,4 +17,15 @@ struct FeatureLines {
 /// unit]: its mean curvature, from the angles at the edges around a vertex, exceeds 1/radius.
 [[nodiscard]] double tightly_curved_fraction(const TriMesh& mesh, double radius);
 
+/// Where a net bends too tightly for its edges.
+struct FineParts {
+  int vertices = 0;     ///< that bend like a sphere smaller than the radius
+  double growth = 1.0;  ///< the shape that many times as large hardly has any; >= 1
+};
+
+/// Looks for vertices that bend like a sphere smaller than `radius` [mesh's unit], by mean
+/// curvature as tightly_curved_fraction(). "Hardly any" is 1 vertex in 1000. A net sees nothing
+/// much finer than its edges: the growth is a lower bound.
+[[nodiscard]] FineParts find_fine_parts(const TriMesh& mesh, double radius);
+
 }  // namespace trivalent::remesh
