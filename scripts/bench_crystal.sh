@@ -1,45 +1,60 @@
 #!/usr/bin/env bash
 # Crystal nets of real meshes: quality, distance, energy above graphene after relaxation, seconds and
-# peak memory, each beside the paper's method in the same run.
+# peak memory, each beside the paper's method and CGAL's isotropic remeshing (one thread) in the same
+# run; the last row is bunny00 with ten times the vertices, for the growth. Needs a release build with
+# -DTRIVALENT_BUILD_BENCHMARKS=ON.
 #
 #   scripts/bench_crystal.sh [MESH EDGE]...    default: meshes of Debian's libcgal-demo
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 program=$PWD/build/release/bin/trivalent
+peer=$PWD/build/release/bin/remesh_bench
 meshes=$PWD/build/release/data/meshes
 [[ $# -gt 0 ]] || set -- "$meshes/bunny00.off" 0.01648791 "$meshes/knot2.off" 0.01394955 \
-  "$meshes/elephant.off" 0.01198981 "$meshes/fandisk.off" 0.0159602
+  "$meshes/elephant.off" 0.01198981 "$meshes/fandisk.off" 0.0159602 \
+  "$meshes/bunny00.off" 0.00521395
 mkdir -p results/crystal
 
-python3 - "$program" results/crystal "$@" <<'END'
+python3 - "$program" "$peer" results/crystal "$@" <<'END'
 import json
 import os
 import subprocess
 import sys
 import time
 
-program, results, *jobs = sys.argv[1:]
+program, peer, results, *jobs = sys.argv[1:]
 
 
-def run(*arguments):
+def run(*command):
     start = time.time()
-    process = subprocess.Popen([program, *map(str, arguments), '--json', '--quiet'], stdout=subprocess.PIPE)
+    process = subprocess.Popen(command, stdout=subprocess.PIPE)
     out = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
-    if status:
-        sys.exit(f'{" ".join(map(str, arguments))} failed')
-    return json.loads(out), time.time() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    if status and not out:  # inspect exits with 1 where there is something to mend
+        sys.exit(f'{" ".join(command)} failed')
+    return json.loads(out or '{}'), time.time() - start, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def trivalent(*arguments):
+    return run(program, *arguments, '--json', '--quiet')
+
+
+def remesh(mesh, net, edge, method):
+    if method != 'cgal':
+        return trivalent('remesh', mesh, net, '--edge', edge, '--method', method)
+    cost = run(peer, 'cgal', mesh, edge, net)[1:]
+    return trivalent('inspect', net, '--against', mesh)[0], *cost
 
 
 print('mesh                  method      V  valence 6    CV     mean/m  crossings  rms dist  relaxed excess   broken'
       '      s  (CPU s)   MiB')
 for mesh, edge in zip(jobs[::2], jobs[1::2]):
     name = os.path.splitext(os.path.basename(mesh))[0]
-    for method in ('paper', 'crystal'):
+    for method in ('cgal', 'paper', 'crystal'):
         net, relaxed = f'{results}/{name}.{method}.off', f'{results}/{name}.{method}.extxyz'
-        result, seconds, cpu, memory = run('remesh', mesh, net, '--edge', edge, '--method', method)
-        rest = run('relax', net, '-o', relaxed)[0]
+        result, seconds, cpu, memory = remesh(mesh, net, edge, method)
+        rest = trivalent('relax', net, '-o', relaxed)[0]
         quality, edges = result['quality'], result['quality']['edge_length']
         print(f'{name:20}  {method:8} {quality["vertices"]:5d}    {100 * quality["regular_fraction"]:5.2f} %'
               f'  {100 * edges["relative_spread"]:5.2f} %  {edges["mean"] / float(edge):.4f}'

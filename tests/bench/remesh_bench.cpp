@@ -114,6 +114,15 @@ void compare_with_cgal(const std::string& path, double target, int rounds) {
               median(ratios_on_one));
 }
 
+/// CGAL's remeshing of a mesh file, for scripts/bench_crystal.sh.
+void remesh_with_cgal(const std::string& in, double target, const std::string& out) {
+  CgalMesh mesh = to_cgal(remesh::read_mesh(in).mesh);
+  CGAL::Polygon_mesh_processing::isotropic_remeshing(
+      faces(mesh), target, mesh,
+      CGAL::Polygon_mesh_processing::parameters::number_of_iterations(iterations));
+  remesh::write_mesh(from_cgal(mesh), out);
+}
+
 /// In a child process, so that the peak memory is that of this run alone.
 void measure_run(double target) {
   std::fflush(stdout);
@@ -155,10 +164,14 @@ int main(int argc, char** argv) {
   if (arguments.size() >= 3 && arguments[0] == "peers") {
     compare_with_cgal(arguments[1], std::stod(arguments[2]),
                       arguments.size() > 3 ? std::stoi(arguments[3]) : 5);
+  } else if (arguments.size() == 4 && arguments[0] == "cgal") {
+    remesh_with_cgal(arguments[1], std::stod(arguments[2]), arguments[3]);
   } else if (arguments.size() == 1 && arguments[0] == "growth") {
     measure_growth();
   } else {
-    std::fprintf(stderr, "usage: remesh_bench peers MESH EDGE [ROUNDS] | remesh_bench growth\n");
+    std::fprintf(stderr,
+                 "usage: remesh_bench peers MESH EDGE [ROUNDS] | remesh_bench cgal IN EDGE OUT | "
+                 "remesh_bench growth\n");
     return 2;
   }
   return 0;
