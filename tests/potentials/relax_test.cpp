@@ -223,6 +223,17 @@ TEST(Relax, StopsOnRequestAndSaysHowFarItCame) {
   EXPECT_FALSE(relaxed.converged);
 }
 
+TEST(Relax, TellsThePotentialsEnergyWhereverItIsStopped) {
+  const Atoms shell = rough_shell(4);
+  const auto bonds = bonds_within(shell, 1.9);
+  const auto stopped =
+      relax_under_rebo(shell, {.bonds = bonds, .on_progress = [](const RelaxProgress& state) {
+                                 EXPECT_EQ(state.stage, RelaxStage::springs);
+                                 return state.steps < 2;
+                               }});
+  EXPECT_NEAR(stopped.result.energy, rebo(stopped.atoms).energy, 1e-8);
+}
+
 TEST(Relax, RefusesWhatMakesNoSense) {
   const Atoms shell = geodesic_shell(2, 1.42);
   const auto with = [&](const RelaxOptions& options) {

@@ -48,6 +48,8 @@ class Relaxation {
                                        .max_steps = options_.checkpoint_every});
     }
     if (!result_.converged && !was_stopped_ && result_.steps < options_.max_steps) hold_bonds();
+    // A stage that was stopped may have been one of springs.
+    if (was_stopped_) result_.result = potential_(result_.atoms);
     return std::move(result_);
   }
 
