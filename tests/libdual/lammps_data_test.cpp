@@ -70,6 +70,18 @@ TEST(WriteLammpsData, KeepsATiltedBox) {
   EXPECT_EQ(copy.atoms.box.origin, data.atoms.box.origin);
 }
 
+TEST(WriteLammpsData, HoldsAtomsThatLeftABoxWhereItIsNotPeriodic) {
+  LammpsData data;
+  data.atoms.positions = {{1, 2, 3}, {2, 2, -5}, {-1, 2, 4}};
+  data.atoms.species.assign(3, Species::carbon);
+  data.atoms.box.cell.diagonal() = Eigen::Vector3d(4, 5, 6);
+  data.atoms.box.periodic = {true, false, false};
+  const std::string text = text_of(data);
+  EXPECT_NE(text.find("\n0 4 xlo xhi\n"), std::string::npos);    // periodic: atoms are wrapped
+  EXPECT_NE(text.find("\n0 5 ylo yhi\n"), std::string::npos);    // all are inside
+  EXPECT_NE(text.find("\n-15 6 zlo zhi\n"), std::string::npos);  // the lowest, and 10 Å
+}
+
 TEST(WriteLammpsData, ThrowsOnABoxThatLammpsCannotHave) {
   LammpsData data = c20();
   data.atoms.box.cell(1, 0) = 1.0;
