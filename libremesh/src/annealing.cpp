@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -16,18 +17,22 @@ namespace trivalent::remesh {
 
 namespace {
 
-constexpr int patch_rings = 3;   // that move; a fourth one is fixed
-constexpr int sweeps = 8;        // over a patch, before energies are compared
-constexpr int first_sweeps = 3;  // over its inner rings, before hopeless moves are dropped
-constexpr int inner_rings = 2;
-/// A move whose energy is still that much higher after the first sweeps is hopeless: later sweeps
-/// gain less in all but 1 % of the cases.
-constexpr double hopeless = 0.1;
-constexpr double hopeless_in_temperatures = 4.0;
+constexpr int patch_rings = 3;  // that move; a fourth one is fixed
+constexpr int sweeps = 8;       // over a patch before moves are tried
+/// A move is relaxed a few sweeps at a time, and given up once its energy is so much too high that
+/// further sweeps would hardly ever bring it down. Tighter bounds lose the moves that need many
+/// sweeps, and end in worse nets.
+struct Trial {
+  int sweeps;
+  int rings;  // that move
+  double hopeless;
+};
+constexpr std::array<Trial, 4> trials = {
+    {{3, 2, 0.1}, {2, patch_rings, 0.03}, {2, patch_rings, 0.01}, {2, patch_rings, 0.0}}};
 /// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
 constexpr int most_new_disorder = 2;
 constexpr double least_gain = 1e-4;  // at temperature 0, so that rounding errors move nothing
-constexpr int rounds_per_relaxation = 10;
+constexpr int rounds_per_relaxation = 20;
 constexpr int sweeps_per_relaxation = 4;
 
 /// A random number that depends on nothing but its arguments.
@@ -40,30 +45,10 @@ std::uint64_t hashed(std::uint64_t a, std::uint64_t b) {
 
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1.0p-53; }
 
-/// Chooses one of several moves, given one after the other, with the weights of a heat bath.
-class HeatBath {
- public:
-  HeatBath(double temperature, std::uint64_t seed) : temperature_(temperature), seed_(seed) {}
-
-  /// Whether a move that raises the energy by so much replaces the choice made so far.
-  bool takes(double rise) {
-    if (temperature_ == 0.0) {
-      if (rise >= lowest_) return false;
-      lowest_ = rise;
-      return true;
-    }
-    const double weight = std::exp(std::min(-rise / temperature_, largest_exponent));
-    total_ += weight;
-    seed_ = hashed(seed_, 1);
-    return uniform(seed_) * total_ < weight;
-  }
-
- private:
-  static constexpr double largest_exponent = 100.0;
-  double temperature_;
-  std::uint64_t seed_;
-  double total_ = 1.0;           // the weight of leaving all as it is
-  double lowest_ = -least_gain;  // at temperature 0
+/// A move at the center of a patch: of the spoke number k, or of the rim beyond it.
+struct Move {
+  enum class Kind : std::uint8_t { flip_spoke, flip_rim, collapse, split } kind;
+  int k;
 };
 
 /// A move that was chosen: the patch after it, and where its vertices sit on the surface.
@@ -71,18 +56,17 @@ struct Decision {
   std::optional<NetPatch> patch;
   std::vector<Eigen::Vector3d> positions;
   std::vector<Anchor> anchors;
+  std::vector<MotionFrame> frames;
 };
 
 class Annealing {
  public:
   Annealing(ConstrainedMesh& constrained, const AnnealingOptions& options)
-      : constrained_(constrained),
-        mesh_(constrained.mesh),
-        options_(options),
-        deviations_(valence_deviations(mesh_)) {}
+      : constrained_(constrained), mesh_(constrained.mesh), options_(options) {}
 
   int run() {
     int moves = 0;
+    look_again();
     for (int round = 0; round < options_.rounds; ++round) {
       const double remaining = 1.0 - (round + 1.0) / options_.rounds;
       temperature_ = options_.first_temperature * remaining;
@@ -98,6 +82,7 @@ class Annealing {
       }
       if ((round + 1) % rounds_per_relaxation == 0) {
         relax_springs(constrained_, options_.length, sweeps_per_relaxation);
+        look_again();
       }
       if (options_.after_round && !options_.after_round(round)) break;
     }
@@ -106,6 +91,13 @@ class Annealing {
   }
 
  private:
+  /// After the whole net has changed.
+  void look_again() {
+    mesh_.garbage_collection();
+    deviations_ = valence_deviations(mesh_);
+    frames_ = motion_frames(constrained_);
+  }
+
   /// Irregular vertices in random order, those left out whose patch would touch an earlier one.
   std::vector<VertexHandle> disjoint_sites() {
     std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
@@ -149,50 +141,70 @@ class Annealing {
     return patch.strain(options_.length) + options_.core_energy * patch.disorder();
   }
 
+  /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
   [[nodiscard]] Decision decide(VertexHandle center) {
     Decision decision;
-    NetPatch start(constrained_, center, patch_rings, marks_.local());
+    NetPatch start(constrained_, frames_, center, patch_rings, marks_.local());
     if (!start.is_whole()) return decision;
     const int disorder = start.disorder();
     start.relax(options_.length, sweeps);
     const double energy = energy_of(start);
-    const double bound = hopeless + hopeless_in_temperatures * temperature_;
-    HeatBath bath(temperature_, hashed(seed_, ~static_cast<std::uint64_t>(center.idx())));
-    for_each_move(start, [&](NetPatch& patch) {
-      if (patch.disorder() > disorder + most_new_disorder) return;
-      patch.relax(options_.length, first_sweeps, start.count_within(inner_rings));
-      if (energy_of(patch) - energy > bound) return;
-      patch.relax(options_.length, sweeps - first_sweeps + 1);
-      if (!patch.is_upright()) return;
-      if (bath.takes(energy_of(patch) - energy)) decision.patch = patch;
-    });
-    if (decision.patch) project(decision);
+    std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
+    NetPatch patch = start;
+    for (const Move& move : shuffled_moves(start.valence(0), random)) {
+      random = hashed(random, 1);
+      const double most = largest_rise(uniform(random));
+      patch = start;
+      if (!make(patch, move) || patch.disorder() > disorder + most_new_disorder) continue;
+      const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
+        patch.relax(options_.length, trial.sweeps, start.count_within(trial.rings));
+        return energy_of(patch) - energy > most + trial.hopeless;
+      });
+      if (is_hopeless || !patch.is_upright()) continue;
+      decision.patch = patch;
+      project(decision);
+      break;
+    }
     return decision;
   }
 
-  /// Calls try_move with the patch after each of the moves at its center: the flips of its spokes
-  /// and of its rim, the collapses along and the splits of its spokes.
-  template <typename TryMove>
-  static void for_each_move(const NetPatch& start, const TryMove& try_move) {
-    const int n = start.valence(0);
-    for (int k = 0; k < n; ++k) {
-      const int spoke = start.neighbor(0, k);
-      const int next = start.neighbor(0, (k + 1) % n);
-      NetPatch patch = start;
-      if (patch.flip(0, spoke)) try_move(patch);
-      patch = start;
-      if (patch.flip(spoke, next)) try_move(patch);
-      patch = start;
-      if (patch.collapse(0, spoke)) {
-        patch.mend_valences();
-        try_move(patch);
-      }
-      patch = start;
-      if (patch.split(0, spoke)) {
-        patch.mend_valences();
-        try_move(patch);
+  /// By Metropolis: exp(-rise/T) is at least the random number in [0, 1).
+  [[nodiscard]] double largest_rise(double random) const {
+    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -least_gain;
+  }
+
+  static std::vector<Move> shuffled_moves(int valence, std::uint64_t seed) {
+    std::vector<Move> moves;
+    for (int k = 0; k < valence; ++k) {
+      for (const auto kind : {Move::Kind::flip_spoke, Move::Kind::flip_rim, Move::Kind::collapse,
+                              Move::Kind::split}) {
+        moves.push_back({kind, k});
       }
     }
+    for (std::size_t left = moves.size(); left > 1; --left) {
+      seed = hashed(seed, 2);
+      std::swap(moves[left - 1], moves[seed % left]);
+    }
+    return moves;
+  }
+
+  static bool make(NetPatch& patch, const Move& move) {
+    const int spoke = patch.neighbor(0, move.k);
+    const int next = patch.neighbor(0, (move.k + 1) % patch.valence(0));
+    switch (move.kind) {
+      case Move::Kind::flip_spoke:
+        return patch.flip(0, spoke);
+      case Move::Kind::flip_rim:
+        return patch.flip(spoke, next);
+      case Move::Kind::collapse:
+        if (!patch.collapse(0, spoke)) return false;
+        break;
+      case Move::Kind::split:
+        if (!patch.split(0, spoke)) return false;
+        break;
+    }
+    patch.mend_valences();
+    return true;
   }
 
   /// Puts the patch onto the surface; drops the decision if a face would turn over there.
@@ -211,6 +223,8 @@ class Annealing {
       }
       decision.positions.push_back(position);
       decision.anchors.push_back(anchor);
+      decision.frames.push_back(patch.is_free(i) ? motion_frame(constrained_, position, anchor)
+                                                 : MotionFrame());
     }
     if (!patch.is_upright()) decision.patch.reset();
   }
@@ -219,6 +233,7 @@ class Annealing {
     const NetPatch& patch = *decision.patch;
     const std::vector<VertexHandle> vertices = change_connectivity(patch);
     deviations_.resize(mesh_.n_vertices(), 0);
+    frames_.resize(mesh_.n_vertices());
     for (int i = 0; i < patch.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       if (patch.valence(i) == 0) continue;
@@ -226,6 +241,7 @@ class Annealing {
       if (!patch.is_free(i)) continue;
       mesh_.point(vertices[k]) = decision.positions[k];
       constrained_.set_anchor(vertices[k], decision.anchors[k]);
+      frames_[index(vertices[k])] = decision.frames[k];
     }
   }
 
@@ -261,6 +277,7 @@ class Annealing {
   TriMesh& mesh_;
   const AnnealingOptions& options_;
   std::vector<int> deviations_;
+  std::vector<MotionFrame> frames_;
   double temperature_ = 0.0;
   std::uint64_t seed_ = 0;
   tbb::enumerable_thread_specific<PatchMarks> marks_;

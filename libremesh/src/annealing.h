@@ -19,9 +19,10 @@ struct AnnealingOptions {
 };
 
 /// Anneals the defects of a net. Every round cuts out patches around irregular vertices, as many as
-/// fit without touching, in random order; tries all moves at each of these vertices in its patch;
-/// and takes one of them, or none, with the probabilities of a heat bath. At temperature 0 that is
-/// the best one, if it lowers the energy. Every few rounds the whole net is relaxed.
+/// fit without touching, in random order; tries the moves at each of these vertices in its patch,
+/// in random order too; and takes the first that the rule of [Metropolis1953] accepts, if any. That
+/// finds a move after few tries while it is hot, and looks at all of them when it is cold. Every
+/// few rounds the whole net is relaxed.
 ///
 /// Patches are tried in parallel and changed one after the other: the result is the same on any
 /// number of threads.

@@ -52,61 +52,78 @@ ConstrainedMesh::ConstrainedMesh(TriMesh& original, std::optional<double> featur
   }
 }
 
+ConstrainedMesh::State ConstrainedMesh::state() const {
+  State state;
+  for (const auto v : mesh.vertices()) {
+    state.positions.push_back(mesh.point(v));
+    state.anchors.push_back(anchors_[v]);
+  }
+  state.triangles = triangles_of(mesh);
+  for (const auto e : mesh.edges()) {
+    if (curve_of_[e]) state.curve_edges.push_back({e.v0(), e.v1(), *curve_of_[e]});
+  }
+  return state;
+}
+
+void ConstrainedMesh::restore(const State& state) {
+  mesh.clean_keep_reservation();
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    anchors_[mesh.add_vertex(state.positions[i])] = state.anchors[i];
+  }
+  for (const auto& [a, b, c] : state.triangles) {
+    mesh.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
+  }
+  for (const auto e : mesh.edges()) curve_of_[e] = std::nullopt;
+  for (const CurveEdge& e : state.curve_edges) {
+    curve_of_[mesh.edge_handle(mesh.find_halfedge(e.from, e.to))] = e.curve;
+  }
+}
+
 void ConstrainedMesh::renumber() {
   const std::vector<VertexHandle> order = along_space_filling_curve(mesh);
+  State state = this->state();
   std::vector<int> number(order.size());
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<Anchor> anchors;
-  for (const VertexHandle v : order) {
-    number[index(v)] = static_cast<int>(positions.size());
-    positions.push_back(mesh.point(v));
-    anchors.push_back(anchors_[v]);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[index(order[i])] = static_cast<int>(i);
+    state.positions[i] = mesh.point(order[i]);
+    state.anchors[i] = anchors_[order[i]];
   }
-  std::vector<CurveEdge> curve_edges;
-  const auto renumbered = [&](VertexHandle v) { return VertexHandle(number[index(v)]); };
-  for (const auto e : mesh.edges()) {
-    if (curve_of_[e])
-      curve_edges.push_back({renumbered(e.v0()), renumbered(e.v1()), *curve_of_[e]});
+  for (auto& triangle : state.triangles) {
+    for (int& v : triangle) v = number[static_cast<std::size_t>(v)];
   }
-  std::vector<std::array<int, 3>> triangles = triangles_of(mesh);
-  for (auto& [a, b, c] : triangles) {
-    a = number[static_cast<std::size_t>(a)];
-    b = number[static_cast<std::size_t>(b)];
-    c = number[static_cast<std::size_t>(c)];
+  std::ranges::sort(state.triangles, {}, [](const auto& t) { return std::ranges::min(t); });
+  for (CurveEdge& e : state.curve_edges) {
+    e.from = VertexHandle(number[index(e.from)]);
+    e.to = VertexHandle(number[index(e.to)]);
   }
-  std::ranges::sort(triangles, {}, [](const auto& t) { return std::min({t[0], t[1], t[2]}); });
-
-  assign(positions, anchors, triangles, curve_edges);
+  restore(state);
 }
 
 void ConstrainedMesh::subdivide() {
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<Anchor> anchors;
+  State fine;
   for (const auto v : mesh.vertices()) {
-    positions.push_back(mesh.point(v));
-    anchors.push_back(anchors_[v]);
+    fine.positions.push_back(mesh.point(v));
+    fine.anchors.push_back(anchors_[v]);
   }
   std::vector<int> midpoint_of(mesh.n_edges());
-  std::vector<CurveEdge> curve_edges;
   for (const auto e : mesh.edges()) {
     const Eigen::Vector3d midpoint = 0.5 * (mesh.point(e.v0()) + mesh.point(e.v1()));
     Anchor anchor;
     anchor.face = anchors_[e.v0()].face;
-    const VertexHandle v(static_cast<int>(positions.size()));
+    const VertexHandle v(static_cast<int>(fine.positions.size()));
     if (const std::optional<int> curve = curve_of_[e]) {
       anchor.kind = FeatureKind::curve;
       anchor.on_curve = curves_.nearest(midpoint, *curve);
-      curve_edges.push_back({e.v0(), v, *curve});
-      curve_edges.push_back({v, e.v1(), *curve});
+      fine.curve_edges.push_back({e.v0(), v, *curve});
+      fine.curve_edges.push_back({v, e.v1(), *curve});
     }
     midpoint_of[static_cast<std::size_t>(e.idx())] = v.idx();
-    positions.push_back(anchor.kind == FeatureKind::curve
-                            ? project(midpoint, anchor)
-                            : project_between(e.v0(), e.v1(), midpoint, anchor));
-    anchors.push_back(anchor);
+    fine.positions.push_back(anchor.kind == FeatureKind::curve
+                                 ? project(midpoint, anchor)
+                                 : project_between(e.v0(), e.v1(), midpoint, anchor));
+    fine.anchors.push_back(anchor);
   }
-  std::vector<std::array<int, 3>> triangles;
-  triangles.reserve(4 * mesh.n_faces());
+  fine.triangles.reserve(4 * mesh.n_faces());
   for (const auto f : mesh.faces()) {
     std::array<int, 3> corner{};
     std::array<int, 3> middle{};  // of the edge from corner k to the next
@@ -116,10 +133,10 @@ void ConstrainedMesh::subdivide() {
       middle[k] = midpoint_of[static_cast<std::size_t>(mesh.edge_handle(h).idx())];
       ++k;
     }
-    for (k = 0; k < 3; ++k) triangles.push_back({corner[k], middle[k], middle[(k + 2) % 3]});
-    triangles.push_back(middle);
+    for (k = 0; k < 3; ++k) fine.triangles.push_back({corner[k], middle[k], middle[(k + 2) % 3]});
+    fine.triangles.push_back(middle);
   }
-  assign(positions, anchors, triangles, curve_edges);
+  restore(fine);
 }
 
 Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
@@ -135,21 +152,6 @@ Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
     return foot.position;
   }
   return midpoint;
-}
-
-void ConstrainedMesh::assign(const std::vector<Eigen::Vector3d>& positions,
-                             const std::vector<Anchor>& anchors,
-                             const std::vector<std::array<int, 3>>& triangles,
-                             const std::vector<CurveEdge>& curve_edges) {
-  mesh.clean_keep_reservation();
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    anchors_[mesh.add_vertex(positions[i])] = anchors[i];
-  for (const auto& [a, b, c] : triangles)
-    mesh.add_face(VertexHandle(a), VertexHandle(b), VertexHandle(c));
-  for (const auto e : mesh.edges()) curve_of_[e] = std::nullopt;
-  for (const CurveEdge& e : curve_edges) {
-    curve_of_[mesh.edge_handle(mesh.find_halfedge(e.from, e.to))] = e.curve;
-  }
 }
 
 SurfacePoint ConstrainedMesh::foot(const Eigen::Vector3d& p, int face) const {

@@ -60,22 +60,29 @@ class ConstrainedMesh {
 
   TriMesh& mesh;
 
- private:
   struct CurveEdge {
     VertexHandle from, to;
     int curve;
   };
+  /// A net and its place on the surface, numbered from 0 without gaps.
+  struct State {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Anchor> anchors;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<CurveEdge> curve_edges;
+  };
+  /// The mesh must have no deleted vertices.
+  [[nodiscard]] State state() const;
+  /// Replaces the net.
+  void restore(const State& state);
+
+ private:
   /// The foot of an edge's midpoint on the side of the surface that the edge is on: in a thin part
   /// the nearest point may be on the other side, so the midpoint is lifted outwards until it is
   /// not.
   [[nodiscard]] Eigen::Vector3d project_between(VertexHandle a, VertexHandle b,
                                                 const Eigen::Vector3d& midpoint,
                                                 Anchor& anchor) const;
-  /// Replaces the net.
-  void assign(const std::vector<Eigen::Vector3d>& positions, const std::vector<Anchor>& anchors,
-              const std::vector<std::array<int, 3>>& triangles,
-              const std::vector<CurveEdge>& curve_edges);
-
   [[nodiscard]] SurfacePoint foot(const Eigen::Vector3d& p, int face) const;
 
   SurfaceProjector surface_;

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spring_step.h"
-
 namespace trivalent::remesh {
 
-NetPatch::NetPatch(const ConstrainedMesh& constrained, VertexHandle center, int rings,
-                   PatchMarks& marks) {
+NetPatch::NetPatch(const ConstrainedMesh& constrained, const std::vector<MotionFrame>& frames,
+                   VertexHandle center, int rings, PatchMarks& marks) {
   const TriMesh& mesh = constrained.mesh;
   marks.begin(mesh.n_vertices());
   const auto add = [&](VertexHandle v) {
@@ -51,7 +49,7 @@ NetPatch::NetPatch(const ConstrainedMesh& constrained, VertexHandle center, int 
     valence_[at(i)] = 0;
     mobility_[at(i)] = 0;
     if (i >= inside) continue;
-    const MotionFrame frame = motion_frame(constrained, v);
+    const MotionFrame& frame = frames[index(v)];
     mobility_[at(i)] = static_cast<std::uint8_t>(frame.freedoms);
     normal_[at(i)] = in_lanes(frame.normal);
     first_[at(i)] = in_lanes(frame.first);

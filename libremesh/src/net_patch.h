@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "constrained_mesh.h"
+#include "spring_step.h"
 
 namespace trivalent::remesh {
 
@@ -52,7 +53,10 @@ class NetPatch {
   static constexpr int most_neighbors = 8;
 
   /// Cuts out the vertices up to `rings` + 1 edges from the center; the last ring is fixed.
-  NetPatch(const ConstrainedMesh& constrained, VertexHandle center, int rings, PatchMarks& marks);
+  ///
+  /// @param frames  Where every vertex of the mesh may move, by its number.
+  NetPatch(const ConstrainedMesh& constrained, const std::vector<MotionFrame>& frames,
+           VertexHandle center, int rings, PatchMarks& marks);
 
   /// False if the patch did not fit.
   [[nodiscard]] bool is_whole() const { return whole_; }

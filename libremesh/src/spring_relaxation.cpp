@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "sliding.h"
-#include "spring_step.h"
 
 namespace trivalent::remesh {
 
@@ -31,20 +30,11 @@ Neighborhoods neighborhoods_of(const TriMesh& mesh) {
   return result;
 }
 
-std::vector<MotionFrame> frames_of(const ConstrainedMesh& constrained) {
-  std::vector<MotionFrame> frames(constrained.mesh.n_vertices());
-  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
-    const VertexHandle v(static_cast<int>(i));
-    if (!constrained.mesh.status(v).deleted()) frames[i] = motion_frame(constrained, v);
-  });
-  return frames;
-}
-
 /// Where the vertices go in so many sweeps, all in the tangent planes of where they are.
 std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
                                              const Neighborhoods& around, double length,
                                              int sweeps) {
-  const std::vector<MotionFrame> frames = frames_of(constrained);
+  const std::vector<MotionFrame> frames = motion_frames(constrained);
   std::vector<Eigen::Vector3d> positions(frames.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = constrained.mesh.point(VertexHandle(static_cast<int>(i)));
@@ -64,6 +54,16 @@ std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
 }
 
 }  // namespace
+
+std::vector<MotionFrame> motion_frames(const ConstrainedMesh& constrained) {
+  std::vector<MotionFrame> frames(constrained.mesh.n_vertices());
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    const VertexHandle v(static_cast<int>(i));
+    if (constrained.mesh.status(v).deleted()) return;
+    frames[i] = motion_frame(constrained, constrained.mesh.point(v), constrained.anchor(v));
+  });
+  return frames;
+}
 
 void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
   constexpr int sweeps_per_slide = 5;  // tangent planes and springs' far ends are then still right

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "constrained_mesh.h"
+#include "spring_step.h"
 
 namespace trivalent::remesh {
+
+/// Where every vertex may move, by its number.
+[[nodiscard]] std::vector<MotionFrame> motion_frames(const ConstrainedMesh& constrained);
 
 /// Moves all vertices over the surface towards the minimum of Σ (|e|/L - 1)², one after the other
 /// (Gauss-Seidel, overrelaxed): each goes to the minimum of its own edges' energy in its tangent

@@ -17,10 +17,12 @@ struct MotionFrame {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the surface
 };
 
-[[nodiscard]] inline MotionFrame motion_frame(const ConstrainedMesh& constrained, VertexHandle v) {
-  const Anchor& anchor = constrained.anchor(v);
+/// Of a vertex with this anchor at this position.
+[[nodiscard]] inline MotionFrame motion_frame(const ConstrainedMesh& constrained,
+                                              const Eigen::Vector3d& position,
+                                              const Anchor& anchor) {
   MotionFrame frame;
-  frame.normal = constrained.normal(v);
+  frame.normal = constrained.surface().normal({position, anchor.face});
   if (anchor.kind == FeatureKind::none) {
     frame.freedoms = 2;
     frame.first = frame.normal.unitOrthogonal();

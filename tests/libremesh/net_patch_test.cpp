@@ -16,7 +16,9 @@ class Patch : public testing::Test {
  protected:
   Patch() : mesh_(make_shape("sphere", {}, 0.2)), sphere_(mesh_, std::nullopt) {}
 
-  NetPatch cut_out(int vertex) { return {sphere_, VertexHandle(vertex), 3, marks_}; }
+  NetPatch cut_out(int vertex) {
+    return {sphere_, motion_frames(sphere_), VertexHandle(vertex), 3, marks_};
+  }
 
   /// Neighbors of a vertex of the patch, as a set.
   static std::set<int> ring(const NetPatch& patch, int v) {
@@ -56,7 +58,7 @@ TEST_F(Patch, TakesTheSpringStepOfTheWholeNet) {
   for (const double length : {0.15, 0.2, 0.25}) {  // pressed, at rest and stretched
     for (const int center : {0, 17, 100}) {
       const VertexHandle v(center);
-      const MotionFrame frame = motion_frame(sphere_, v);
+      const MotionFrame frame = motion_frames(sphere_)[index(v)];
       SpringStep step(frame);
       for (const auto neighbor : mesh_.vv_range(v)) {
         step.add_edge(mesh_.point(neighbor) - mesh_.point(v), length);
