@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Damages meshes in every way that files get damaged, and feeds them to `inspect` and `build`.
 
-usage: mutations.py PROGRAM FOLDER [--files N] [--seed S] [--atoms N] [--largest BYTES] [--keep FOLDER]
+usage: mutations.py PROGRAM FOLDER [--files N] [--first K] [--seed S] [--atoms N] [--largest BYTES] [--keep FOLDER]
+       [--build-options ...]   default: --method paper
 Ends with 1 if anything crashed, hung, leaked, made an invalid shell or was refused without a place.
 """
 import argparse
@@ -126,6 +127,7 @@ def main():
     parser.add_argument('--atoms', type=int, default=500)
     parser.add_argument('--largest', type=int, default=60000)
     parser.add_argument('--keep', help='where files that show a fault are kept')
+    parser.add_argument('--build-options', nargs=argparse.REMAINDER, default=['--method', 'paper'])
     options = parser.parse_args()
     names = [n for n in sorted(os.listdir(options.folder))
              if os.path.getsize(os.path.join(options.folder, n)) <= options.largest]
@@ -140,7 +142,7 @@ def main():
             with open(path, 'wb') as file:
                 file.write(damaged)
             looked = run(options.program, ['inspect', path, '--json', '--quiet'], expected=(0, 1, 3))
-            built, report = build(options.program, path, ['--atoms', options.atoms])
+            built, report = build(options.program, path, ['--atoms', options.atoms, *options.build_options])
             found = looked.faults + built.faults
             if built.refusal and not PLACE.search(built.refusal):
                 found.append('refuses without a place: ' + built.refusal)

@@ -1,34 +1,38 @@
 #!/usr/bin/env python3
-"""Takes every mesh of a folder through `inspect` and `build` and writes a table of what came out.
+"""Takes every mesh of a folder through `inspect` and `build` and makes a table of what came out.
 
-usage: outcomes.py PROGRAM FOLDER TABLE.md [--atoms N] [--jobs N] [--wrap all|crossing|refused]
-       [--wrap-program PROGRAM]
-Wraps are slow; they can be left to meshes whose shell crosses itself, or that are refused, by default. The second program, if given,
-does the wraps, for example one without sanitizers.
+usage: outcomes.py PROGRAM FOLDER RECORDS.json [--columns inspect paper crystal wrap] [--table TABLE.md]
+       [--atoms N] [--jobs N] [--wrap all|crossing|refused] [--build-options ...]
+The records are kept after every mesh: a run that was interrupted goes on where it was, and the columns can be made one after
+another by different programs, such as one with sanitizers, with different options. The table tells which.
+Wraps are slow; they can be left to meshes whose other shells cross themselves, or that are refused otherwise.
 Ends with 1 if anything crashed, hung, leaked, was lost silently or made an invalid shell.
 """
 import argparse
+import json
 import os
 import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-from program import build, run
+from program import build, run, sanitized
+
+COLUMNS = {'inspect': '`inspect`', 'paper': '`--method paper`', 'crystal': 'by default', 'wrap': '`--repair wrap`'}
 
 
 def count_triangles(path):
     """Triangles that an OFF file stands for, or None for another kind of file."""
     with open(path, 'rb') as file:
         words = re.sub(rb'#[^\n]*', b'', file.read()).split()
-    if not words or not words[0].endswith(b'OFF') or words[0] != b'OFF':
+    if not words or words[0] != b'OFF':
         return None
-    n_points, n_faces = int(words[1]), int(words[2])
+    n_faces = int(words[2])
     lines = [line.split(b'#')[0].split() for line in open(path, 'rb')]
     lines = [line for line in lines if line]
     rows = lines[-n_faces:] if n_faces else []
-    if any(len(row) < int(row[0]) + 1 for row in rows if row[0].isdigit()):
+    if not all(row[0].isdigit() and len(row) > int(row[0]) for row in rows):
         return None
-    return sum(int(row[0]) - 2 for row in rows) if all(row[0].isdigit() for row in rows) else None
+    return sum(int(row[0]) - 2 for row in rows)
 
 
 def lost_silently(path, inspected):
@@ -41,98 +45,162 @@ def lost_silently(path, inspected):
     return [f'the file stands for {expected} triangles, {inspected["faces"]} were read, and nothing is said']
 
 
-def shell_text(done, report):
-    if done is None:
-        return 'not tried'
-    if done.faults:
-        return 'FAULT: ' + '; '.join(done.faults)
-    if report is None:
-        return 'refused: ' + re.sub(r'\S*/', '', done.refusal)
-    quality = report['quality']
-    kind = 'closed' if quality['boundary_loops'] == 0 else f'open ({quality["boundary_loops"]})'
-    text = f'{report["network"]["atoms"]} atoms, {kind}'
+def inspect(options, path):
+    looked = run(options.program, ['inspect', path, '--json', '--quiet'], expected=(0, 1, 3))
+    inspected = looked.json if looked.out and not looked.faults else {}
+    if inspected.get('faces') is not None:
+        looked.faults += lost_silently(path, inspected)
+    problems = [f'{p["count"]} {p["problem"]}' for p in inspected.get('problems', [])]
+    return {'faults': looked.faults, 'triangles': inspected.get('faces', 0),
+            'text': '; '.join([inspected.get('verdict', 'unreadable'), *problems])}
+
+
+def record_of_build(done, report, remark=''):
+    """What a build came to; `crossings` only if it gave a shell."""
+    if done.faults or report is None:
+        return {'faults': done.faults, 'text': 'refused: ' + re.sub(r'\S*/', '', done.refusal)}
+    quality, distance = report['quality'], report['distance']
+    text = f'{report["network"]["atoms"]} atoms'
+    text += f', open ({quality["boundary_loops"]})' if quality['boundary_loops'] else ', closed'
     if quality['components'] > 1:
         text += f', {quality["components"]} parts'
     if quality['self_intersections'] > 0:
         text += f', {quality["self_intersections"]} crossings'
-    return text + f', {100 * report["distance"]["from_original"]["max"] / report["distance"]["diagonal"]:.1f} %'
+    text += f', {100 * distance["from_original"]["max"] / distance["diagonal"]:.1f} %'
+    return {'faults': [], 'crossings': quality['self_intersections'], 'certified': report.get('certified'),
+            'text': remark + text + (', certified' if report.get('certified') else '')}
 
 
-def problems_text(inspected):
-    return '; '.join(f'{p["count"]} {p["problem"]}' for p in inspected.get('problems', []))
-
-
-def wrap(program, path, size):
+def wrap(options, path, size):
     """Wraps; if crumbs are too small for a shell, only the largest part."""
-    wrapped, report = build(program, path, [*size, '--repair', 'wrap'])
+    wrapped, report = build(options.program, path, [*size, '--method', 'paper', '--repair', 'wrap'])
     if 'components are too small' not in wrapped.refusal:
-        return wrapped, report, ''
-    return *build(program, path, [*size, '--repair', 'wrap', '--components', 'largest']), 'largest part: '
+        return record_of_build(wrapped, report)
+    return record_of_build(*build(options.program, path, [*size, '--method', 'paper', '--repair', 'wrap',
+                                                          '--components', 'largest']), 'largest part: ')
 
 
-def look_at(name, options, counts):
-    """Inspects and builds on one mesh; its row of the table."""
-    path, size = os.path.join(options.folder, name), ['--atoms', options.atoms]
-    looked = run(options.program, ['inspect', path, '--json', '--quiet'], expected=(0, 1, 3))
-    inspected = looked.json if looked.out else {}
-    if inspected.get('faces') is not None:
-        looked.faults += lost_silently(path, inspected)
-    plain, plain_report = build(options.program, path, size)
-    wrapped, wrapped_report, which = None, None, ''
-    crosses = plain_report is not None and plain_report['quality']['self_intersections'] > 0
-    if options.wrap == 'all' or plain_report is None or (crosses and options.wrap == 'crossing'):
-        wrapped, wrapped_report, which = wrap(options.wrap_program or options.program, path, size)
-    verdict = 'FAULT: ' + '; '.join(looked.faults) if looked.faults else inspected.get('verdict', '?')
-    counts['faults'] += sum(len(done.faults) for done in (looked, plain, wrapped) if done)
-    if inspected.get('faces'):
-        good = [report for report in (plain_report, wrapped_report) if report]
-        counts['triangles'] += 1
-        counts['default'] += plain_report is not None
-        counts['any'] += bool(good)
-        counts['clean'] += any(report['quality']['self_intersections'] == 0 for report in good)
-    cells = [name, inspected.get('faces', '-'), verdict, problems_text(inspected), shell_text(plain, plain_report),
-             which + shell_text(wrapped, wrapped_report)]
-    row = '| ' + ' | '.join(map(str, cells)) + ' |'
-    print(row, flush=True)
-    return row
+def is_wrap_wanted(record, which):
+    others = [record[column] for column in ('paper', 'crystal') if column in record]
+    shells = [other for other in others if 'crossings' in other]
+    return which == 'all' or not shells or (which == 'crossing' and all(shell['crossings'] for shell in shells))
+
+
+def look_at(path, column, record, options):
+    """What one mesh gives in one column of the table."""
+    size = ['--atoms', options.atoms, *options.build_options]
+    if column == 'inspect':
+        return inspect(options, path)
+    if column == 'wrap':
+        if not is_wrap_wanted(record, options.wrap):
+            return {'faults': [], 'text': 'not tried'}
+        return wrap(options, path, size)
+    return record_of_build(*build(options.program, path, [*size, '--method', column], certify=column == 'crystal'))
+
+
+def read_records(path):
+    if not os.path.exists(path):
+        return {'programs': {}, 'meshes': {}}
+    with open(path) as file:
+        return json.load(file)
+
+
+def write_records(path, records):
+    with open(path + '.new', 'w') as file:
+        json.dump(records, file, indent=1)
+    os.replace(path + '.new', path)
+
+
+def fill_column(column, records, options):
+    """Fills the column for the meshes that do not have it yet."""
+    meshes = records['meshes']
+    names = [name for name in sorted(os.listdir(options.folder)) if column not in meshes.setdefault(name, {})]
+    words = ['with address and undefined-behaviour sanitizers' if sanitized(options.program) else 'as released']
+    if column != 'inspect':
+        words += [f'`--atoms {options.atoms}`', *[f'`{option}`' for option in options.build_options]]
+    records['programs'][column] = ', '.join(words)
+
+    def look(name):
+        return look_at(os.path.join(options.folder, name), column, meshes[name], options)
+
+    with ThreadPoolExecutor(options.jobs) as pool:
+        for name, result in zip(names, pool.map(look, names)):
+            meshes[name][column] = result
+            print(column, name, result['text'], *result['faults'], sep=' | ', flush=True)
+            write_records(options.records, records)
+
+
+def summary(records):
+    """Counts over all meshes, in words, and the number of faults."""
+    meshes = records['meshes'].values()
+    faults = sum(len(result['faults']) for record in meshes for result in record.values())
+    triangles = [record for record in meshes if record.get('inspect', {}).get('triangles')]
+
+    def count(is_good, columns):
+        return sum(any('crossings' in record.get(c, {}) and is_good(record[c]) for c in columns) for record in triangles)
+
+    builds = ('paper', 'crystal', 'wrap')
+    words = [f'{len(meshes)} files, {len(triangles)} with faces']
+    for column in builds[:2]:
+        words.append(f'{count(lambda _: True, [column])} give a shell with `--method {column}`')
+    any_shell = count(lambda _: True, builds)
+    words.append(f'{any_shell} ({100 * any_shell / max(1, len(triangles)):.1f} %) with some method or `--repair`')
+    words.append(f'{count(lambda shell: not shell["crossings"], builds)} one without crossings')
+    words.append(f'{count(lambda shell: shell["certified"], ["crystal"])} one by default that `check` certifies')
+    words.append(f'{faults} crashes, hangs, leaks, silent losses or invalid shells')
+    return '; '.join(words), faults
+
+
+def cell(record, column):
+    if column not in record:
+        return '-'
+    return ' '.join([record[column]['text'], *['FAULT: ' + fault for fault in record[column]['faults']]])
+
+
+def write_table(path, records):
+    programs = '\n'.join(f'- {COLUMNS[column]}: {words}' for column, words in records['programs'].items())
+    with open(path, 'w') as table:
+        table.write(f'''# What becomes of the meshes of libcgal-demo
+
+Made by `tests/robustness/outcomes.py` from the meshes of Debian's package libcgal-demo. Every shell was checked by
+reading it back: an oriented manifold, every atom with three bonds and Σ(6 − ring size) = 6χ where it is closed.
+Crossings are pairs of triangles of the shell that intersect. The percentage is the largest distance from the input to
+the shell, of the input's diagonal. "Certified" is a shell whose relaxed atoms pass `trivalent check`, which also wants
+ordinary bonds and angles: many of these shapes have parts too thin for carbon at this size.
+
+{summary(records)[0]}.
+
+The program, by column:
+{programs}
+
+| file | triangles | {' | '.join(COLUMNS.values())} |
+|{'---|' * (len(COLUMNS) + 2)}
+''')
+        for name, record in sorted(records['meshes'].items()):
+            triangles = record.get('inspect', {}).get('triangles') or '-'
+            table.write(f'| {name} | {triangles} | ' + ' | '.join(cell(record, c) for c in COLUMNS) + ' |\n')
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('program')
     parser.add_argument('folder')
-    parser.add_argument('table')
+    parser.add_argument('records')
+    parser.add_argument('--columns', nargs='*', choices=list(COLUMNS), default=list(COLUMNS))
+    parser.add_argument('--table')
     parser.add_argument('--atoms', type=int, default=5000)
     parser.add_argument('--wrap', choices=['all', 'crossing', 'refused'], default='all')
-    parser.add_argument('--wrap-program')
+    parser.add_argument('--build-options', nargs=argparse.REMAINDER, default=[])
     parser.add_argument('--jobs', type=int, default=1)
     options = parser.parse_args()
-    names = sorted(os.listdir(options.folder))
-    counts = dict.fromkeys(('faults', 'triangles', 'default', 'any', 'clean'), 0)
-    with ThreadPoolExecutor(options.jobs) as pool:
-        rows = list(pool.map(lambda name: look_at(name, options, counts), names))
-    write_table(options, rows, counts)
-    return 1 if counts['faults'] else 0
-
-
-def write_table(options, rows, counts):
-    with open(options.table, 'w') as table:
-        table.write(f'''# What becomes of the meshes of libcgal-demo
-
-Made by `tests/robustness/outcomes.py` with `build --atoms {options.atoms} --method paper`. Every shell was checked by
-reading it back: an oriented manifold, every atom with three bonds and Σ(6 − ring size) = 6χ where it is closed.
-Crossings are pairs of triangles of the shell that intersect. The percentage is the largest distance from the input to
-the shell, of the input's diagonal.
-
-{len(rows)} files, {counts['triangles']} with faces: {counts['default']} give a shell by default, {counts['any']} by default or
-`--repair wrap` ({100 * counts['any'] / max(1, counts['triangles']):.1f} %), {counts['clean']} one without crossings; {counts['faults']} crashes, hangs, leaks, silent
-losses or invalid shells.
-
-| file | triangles | inspect | problems | by default | `--repair wrap` |
-|---|---|---|---|---|---|
-''')
-        table.write('\n'.join(rows) + '\n')
-    print(f'{len(rows)} files, {counts}')
+    records = read_records(options.records)
+    for column in options.columns:
+        fill_column(column, records, options)
+    words, faults = summary(records)
+    print(words)
+    if options.table:
+        write_table(options.table, records)
+    return 1 if faults else 0
 
 
 if __name__ == '__main__':

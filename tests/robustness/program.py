@@ -102,16 +102,29 @@ class Folder:
         shutil.rmtree(self.path, ignore_errors=True)
 
 
-def build(program, shape, options, timeout=120):
-    """Builds a shell and checks it: the run, and its report if there is one."""
+def sanitized(program):
+    with open(program, 'rb') as file:
+        return b'__asan_init' in file.read()
+
+
+def is_certified(program, folder, is_open):
+    """Whether `check` certifies the atoms as they were written."""
+    checked = run(program, ['check', os.path.join(folder, 'shell.extxyz'), '--quiet', *(['--open'] if is_open else [])])
+    return checked.exit_code == 0, checked.faults
+
+
+def build(program, shape, options, timeout=120, certify=False):
+    """Builds a shell and checks it: the run, and its report if there is one, with `certified` if asked for."""
     with Folder() as folder:
         out = os.path.join(folder, 'shell')
-        done = run(program, ['build', shape, '-o', out, '--method', 'paper', '--quiet', '--json', *options],
-                   timeout, expected=(0, 1, 2))
+        done = run(program, ['build', shape, '-o', out, '--quiet', '--json', *options], timeout, expected=(0, 1, 2))
         report = None
         if done.exit_code == 0:
             report, faults = faults_of_shell(out)
             done.faults += faults
+            if certify:
+                report['certified'], faults = is_certified(program, out, report['quality']['boundary_loops'] > 0)
+                done.faults += faults
         elif not done.faults:
             if not done.refusal:
                 done.faults.append('refuses without a reason')
