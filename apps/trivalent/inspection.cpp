@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "remesh_options.h"
+#include "reports.h"
 #include "size_options.h"
 #include "surface_input.h"
 #include "trivalent/dual/error.h"
@@ -125,6 +126,12 @@ std::string places_text(const std::vector<remesh::Place>& places) {
   return text.str();
 }
 
+std::string count_text(const remesh::Finding& finding) {
+  return finding.problem == remesh::Problem::crossing_faces
+             ? crossings_text(static_cast<int>(finding.count))
+             : std::to_string(finding.count);
+}
+
 Json problems_json(const remesh::MeshDiagnosis& diagnosis) {
   Json json = Json::array();
   for (const remesh::Finding& finding : diagnosis.findings) {
@@ -152,9 +159,8 @@ void add_file(const Inspection& inspection, Result& result) {
     result.table.push_back({"first boundary edges", places_text(diagnosis.first_boundaries)});
   }
   for (const remesh::Finding& finding : diagnosis.findings) {
-    result.table.push_back(
-        {std::string(remesh::name_of(finding.problem)),
-         std::to_string(finding.count) + ", first " + places_text(finding.first)});
+    result.table.push_back({std::string(remesh::name_of(finding.problem)),
+                            count_text(finding) + ", first " + places_text(finding.first)});
   }
   result.json["points"] = diagnosis.points;
   result.json["faces"] = diagnosis.faces;

@@ -127,6 +127,10 @@ std::vector<TableRow> net_rows(const remesh::RemeshResult& net) {
   return rows;
 }
 
+std::string crossings_text(int pairs) {
+  return std::to_string(pairs) + (pairs < remesh::most_crossing_pairs ? "" : " or more");
+}
+
 std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
   const remesh::Spread& edge = quality.edge_length;
   return {{"vertices, edges, faces", std::to_string(quality.vertices) + ", " +
@@ -141,7 +145,7 @@ std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
           {"valences", histogram_text(quality.valences)},
           {"angles", decimals(degrees(quality.smallest_angle), 1) + "° to " +
                          decimals(degrees(quality.largest_angle), 1) + "°"},
-          {"self-intersections", std::to_string(quality.self_intersections)}};
+          {"self-intersections", crossings_text(quality.self_intersections)}};
 }
 
 std::vector<TableRow> components_rows(const remesh::MeshComponents& components) {

@@ -28,6 +28,9 @@ using Json = nlohmann::ordered_json;
 
 // The same for people.
 [[nodiscard]] std::string histogram_text(const std::map<int, int>& histogram);
+/// The number of pairs of faces that intersect, as far as they were counted.
+[[nodiscard]] std::string crossings_text(int pairs);
+
 [[nodiscard]] std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality);
 /// Nothing for a single component, which the quality describes.
 [[nodiscard]] std::vector<TableRow> components_rows(const remesh::MeshComponents& components);

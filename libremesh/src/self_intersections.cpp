@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "trivalent/remesh/mesh_quality.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -19,6 +21,9 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 /// Candidates are tested by many threads, so many at a time.
 constexpr std::size_t batch_size = 1 << 20;
+
+/// Thrown out of CGAL's search, which has no other end than the last pair.
+struct EnoughFound {};
 
 using FacePair = std::array<int, 2>;
 
@@ -96,12 +101,16 @@ class IntersectionTest {
   std::vector<Kernel::Point_3> points_;
 };
 
-/// Adds pairs to those found; which are the first few does not depend on the order of adding.
+/// Keeps the first few; which they are does not depend on the order in which they were found.
+void keep_first(std::vector<FacePair>& pairs, std::size_t most_places) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.resize(std::min(pairs.size(), most_places));
+}
+
 CrossingFaces merged(CrossingFaces found, const CrossingFaces& more, std::size_t most_places) {
   found.count += more.count;
   found.first.insert(found.first.end(), more.first.begin(), more.first.end());
-  std::sort(found.first.begin(), found.first.end());
-  found.first.resize(std::min(found.first.size(), most_places));
+  keep_first(found.first, most_places);
   return found;
 }
 
@@ -112,7 +121,10 @@ CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& ca
       [&](const tbb::blocked_range<std::size_t>& range, CrossingFaces found) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           if (!meet(candidates[i])) continue;
-          found = merged(std::move(found), {1, {candidates[i]}}, most_places);
+          ++found.count;
+          found.first.push_back(candidates[i]);
+          // Now and then, for sorting after every pair would take quadratic time.
+          if (found.first.size() > 2 * most_places) keep_first(found.first, most_places);
         }
         return found;
       },
@@ -131,13 +143,22 @@ CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
   std::vector<FacePair> candidates;
   candidates.reserve(batch_size);
   CrossingFaces found;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
-    if (candidates.size() < batch_size) return;
+  constexpr auto enough = static_cast<std::size_t>(most_crossing_pairs);
+  const auto test_batch = [&] {
     found = merged(std::move(found), test(meet, candidates, most_places), most_places);
     candidates.clear();
-  });
-  return merged(std::move(found), test(meet, candidates, most_places), most_places);
+    if (found.count >= enough) throw EnoughFound();
+  };
+  try {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+      if (candidates.size() == batch_size) test_batch();
+    });
+    test_batch();
+  } catch (const EnoughFound&) {
+    found.count = enough;
+  }
+  return found;
 }
 
 }  // namespace trivalent::remesh

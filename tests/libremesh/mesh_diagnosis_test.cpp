@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
 namespace {
@@ -129,6 +133,31 @@ TEST(FindCrossingFaces, NamesTheFirstPairs) {
   soup.triangles.push_back({1, 2, 0});
   soup.triangles.push_back({4, 6, 4});
   EXPECT_EQ(find_crossing_faces(soup).count, 2u);
+}
+
+/// Triangles around the origin, each in a plane of its own through it: each crosses all others.
+TriangleSoup fan_of_crossing_faces(int n_faces) {
+  TriangleSoup soup;
+  for (int k = 0; k < n_faces; ++k) {
+    const double angle = std::numbers::pi * k / n_faces;
+    const Eigen::Vector3d side(std::cos(angle), std::sin(angle), 0.0);
+    for (const auto& [along, up] : {std::pair(-1.0, -1.0), {1.0, -1.0}, {0.0, 1.0 + angle}}) {
+      soup.points.push_back(along * side + Eigen::Vector3d(0.0, 0.0, up));
+    }
+    soup.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  return soup;
+}
+
+TEST(FindCrossingFaces, CountsUpToALimit) {
+  const Finding few = find_crossing_faces(fan_of_crossing_faces(100));
+  EXPECT_EQ(few.count, 100u * 99u / 2u);
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(few.first[static_cast<std::size_t>(k)].elements, (std::vector{0, k + 1}));
+  }
+  // Two million pairs.
+  EXPECT_EQ(find_crossing_faces(fan_of_crossing_faces(2001)).count,
+            static_cast<std::size_t>(most_crossing_pairs));
 }
 
 TEST(FindCrossingFaces, SeesThatTornFacesOnlyTouch) {

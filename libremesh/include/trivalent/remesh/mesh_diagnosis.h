@@ -54,9 +54,11 @@ struct MeshDiagnosis {
 [[nodiscard]] MeshDiagnosis diagnose(const TriangleSoup& soup);
 
 /// Pairs of faces that meet elsewhere than in the points and edges they share, by exact predicates.
-/// Points at the same place count as one; faces repeated or without an area cross nothing.
+/// Points at the same place count as one; faces repeated or without an area cross nothing. Counts
+/// up to most_crossing_pairs.
 ///
-/// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces.
+/// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces; less where more cross than
+/// are counted.
 [[nodiscard]] Finding find_crossing_faces(const TriangleSoup& soup);
 
 }  // namespace trivalent::remesh

@@ -19,6 +19,9 @@ struct Spread {
   [[nodiscard]] double relative() const { return mean == 0.0 ? 0.0 : standard_deviation / mean; }
 };
 
+/// Pairs of faces that intersect are counted up to here; a soup of n faces may have n² of them.
+constexpr int most_crossing_pairs = 1'000'000;
+
 /// How regular a mesh is. Lengths in the mesh's own unit, angles in radian.
 struct MeshQuality {
   int vertices = 0;  ///< used by at least one face
@@ -32,7 +35,8 @@ struct MeshQuality {
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices; 0 if none
   double smallest_angle = 0.0;    ///< [rad]
   double largest_angle = 0.0;     ///< [rad]
-  int self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share
+  int self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share,
+                                  ///< up to most_crossing_pairs
 };
 
 /// Measures a mesh. Cost: O(n log n) for n faces, dominated by the intersection test.
