@@ -163,6 +163,13 @@ void relax_shell(const StopRequest& stop, const Session& session, BuildRecord& r
   record.after.maps.push_back(dual::displacement_map(before, network.positions));
 }
 
+std::string crossing_remedy(const BuildRecord& record) {
+  return record.input_quality.self_intersections > 0
+             ? "the input does too: --repair wrap mends that"
+             : "the input does not: a larger shell can follow thin parts, --feature-angle keeps "
+               "sharp creases";
+}
+
 void note_findings(BuildRecord& record) {
   const auto& network = record.network;
   if (record.quality.boundary_loops == 0 && !network.is_trivalent()) {
@@ -175,8 +182,8 @@ void note_findings(BuildRecord& record) {
   }
   if (record.quality.self_intersections > 0) {
     record.notes.push_back("the remeshed surface intersects itself in " +
-                           std::to_string(record.quality.self_intersections) +
-                           " pairs of triangles");
+                           crossings_text(record.quality.self_intersections) +
+                           " pairs of triangles; " + crossing_remedy(record));
   }
 }
 

@@ -57,6 +57,15 @@ TEST_F(BuildCommand, RelaxesCappedEdgesToo) {
   EXPECT_TRUE(report("out")["relaxation"]["bonds_broken"].empty());
 }
 
+TEST_F(BuildCommand, SaysHowToMendAShellThatCrossesItself) {
+  const auto notes = [this](const std::string& arguments) {
+    succeed("build " TRIVALENT_MESHES "/" + arguments + " -o out --method paper --no-relax");
+    return report("out")["notes"].dump();
+  };
+  EXPECT_NE(notes("tetrahedron.off --atoms 500").find("--feature-angle"), std::string::npos);
+  EXPECT_NE(notes("mask_cone.off --atoms 2000").find("--repair wrap"), std::string::npos);
+}
+
 TEST_F(BuildCommand, MeetsALengthOrAScale) {
   succeed("build torus:R=3,r=1.2 -o a --length 40");
   succeed("build torus:R=3,r=1.2 -o b --scale 5 --bond 1.45");
