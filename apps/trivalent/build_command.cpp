@@ -115,7 +115,13 @@ dual::ShellState shell_state(std::string name, const BuildRecord& record) {
 }
 
 void measure_energy_after(BuildRecord& record) {
-  record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
+  try {
+    record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
+  } catch (const potentials::InvalidAtoms& error) {
+    throw potentials::InvalidAtoms(potentials::concat(
+        "build: the shell meets itself (", error.what(),
+        "); mend the mesh there, or put a new surface around it: --repair wrap"));
+  }
   record.after = shell_state("shell", record);
 }
 

@@ -66,6 +66,13 @@ TEST_F(BuildCommand, SaysHowToMendAShellThatCrossesItself) {
   EXPECT_NE(notes("mask_cone.off --atoms 2000").find("--repair wrap"), std::string::npos);
 }
 
+TEST_F(BuildCommand, RefusesAShellWithAtomsOnTopOfEachOther) {
+  expect_failure(1, "--repair wrap",
+                 "build " TRIVALENT_MESHES
+                 "/tetra_intersected_by_triangle.off -o out --atoms 5000 --method paper");
+  EXPECT_FALSE(has("out/surface.off"));
+}
+
 TEST_F(BuildCommand, MeetsALengthOrAScale) {
   succeed("build torus:R=3,r=1.2 -o a --length 40");
   succeed("build torus:R=3,r=1.2 -o b --scale 5 --bond 1.45");
