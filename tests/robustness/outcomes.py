@@ -3,8 +3,8 @@
 
 usage: outcomes.py PROGRAM FOLDER RECORDS.json [--columns inspect paper crystal wrap] [--table TABLE.md]
        [--atoms N] [--jobs N] [--wrap all|crossing|refused] [--build-options ...]
-The records are kept after every mesh: a run that was interrupted goes on where it was, and the columns can be made one after
-another by different programs, such as one with sanitizers, with different options. The table tells which.
+The records are kept after every mesh: a run that was interrupted goes on where it was, and columns, or parts of one, can be
+made by different programs, such as one with sanitizers, with different options. The table tells which.
 Wraps are slow; they can be left to meshes whose other shells cross themselves, or that are refused otherwise.
 Ends with 1 if anything crashed, hung, leaked, was lost silently or made an invalid shell.
 """
@@ -13,6 +13,7 @@ import json
 import os
 import re
 import sys
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from program import build, run, sanitized
@@ -100,7 +101,7 @@ def look_at(path, column, record, options):
 
 def read_records(path):
     if not os.path.exists(path):
-        return {'programs': {}, 'meshes': {}}
+        return {}
     with open(path) as file:
         return json.load(file)
 
@@ -113,26 +114,25 @@ def write_records(path, records):
 
 def fill_column(column, records, options):
     """Fills the column for the meshes that do not have it yet."""
-    meshes = records['meshes']
+    meshes = records
     names = [name for name in sorted(os.listdir(options.folder)) if column not in meshes.setdefault(name, {})]
     words = ['with address and undefined-behaviour sanitizers' if sanitized(options.program) else 'as released']
     if column != 'inspect':
         words += [f'`--atoms {options.atoms}`', *[f'`{option}`' for option in options.build_options]]
-    records['programs'][column] = ', '.join(words)
 
     def look(name):
         return look_at(os.path.join(options.folder, name), column, meshes[name], options)
 
     with ThreadPoolExecutor(options.jobs) as pool:
         for name, result in zip(names, pool.map(look, names)):
-            meshes[name][column] = result
+            meshes[name][column] = {**result, 'how': ', '.join(words)}
             print(column, name, result['text'], *result['faults'], sep=' | ', flush=True)
             write_records(options.records, records)
 
 
 def summary(records):
     """Counts over all meshes, in words, and the number of faults."""
-    meshes = records['meshes'].values()
+    meshes = records.values()
     faults = sum(len(result['faults']) for record in meshes for result in record.values())
     triangles = [record for record in meshes if record.get('inspect', {}).get('triangles')]
 
@@ -142,7 +142,8 @@ def summary(records):
     builds = ('paper', 'crystal', 'wrap')
     words = [f'{len(meshes)} files, {len(triangles)} with faces']
     for column in builds[:2]:
-        words.append(f'{count(lambda _: True, [column])} give a shell with `--method {column}`')
+        tried = sum(column in record for record in triangles)
+        words.append(f'{count(lambda _: True, [column])} of {tried} tried give a shell with `--method {column}`')
     any_shell = count(lambda _: True, builds)
     words.append(f'{any_shell} ({100 * any_shell / max(1, len(triangles)):.1f} %) with some method or `--repair`')
     words.append(f'{count(lambda shell: not shell["crossings"], builds)} one without crossings')
@@ -158,7 +159,8 @@ def cell(record, column):
 
 
 def write_table(path, records):
-    programs = '\n'.join(f'- {COLUMNS[column]}: {words}' for column, words in records['programs'].items())
+    ways = Counter((c, record[c]['how']) for record in records.values() for c in COLUMNS if c in record)
+    programs = '\n'.join(f'- {COLUMNS[column]}: {count} files {how}' for (column, how), count in sorted(ways.items()))
     with open(path, 'w') as table:
         table.write(f'''# What becomes of the meshes of libcgal-demo
 
@@ -166,7 +168,7 @@ Made by `tests/robustness/outcomes.py` from the meshes of Debian's package libcg
 reading it back: an oriented manifold, every atom with three bonds and Σ(6 − ring size) = 6χ where it is closed.
 Crossings are pairs of triangles of the shell that intersect. The percentage is the largest distance from the input to
 the shell, of the input's diagonal. "Certified" is a shell whose relaxed atoms pass `trivalent check`, which also wants
-ordinary bonds and angles: many of these shapes have parts too thin for carbon at this size.
+ordinary bonds and angles: many of these shapes have parts too thin for carbon at this size. A dash: not tried.
 
 {summary(records)[0]}.
 
@@ -176,7 +178,7 @@ The program, by column:
 | file | triangles | {' | '.join(COLUMNS.values())} |
 |{'---|' * (len(COLUMNS) + 2)}
 ''')
-        for name, record in sorted(records['meshes'].items()):
+        for name, record in sorted(records.items()):
             triangles = record.get('inspect', {}).get('triangles') or '-'
             table.write(f'| {name} | {triangles} | ' + ' | '.join(cell(record, c) for c in COLUMNS) + ' |\n')
 
