@@ -102,7 +102,7 @@ class Crystallization {
     bool coarse_start = net != nullptr;
     if (!net) {
       net = from_fine_net();
-    } else if (!stopped_ && has_new_crossings(*net)) {
+    } else if (!stopped_ && are_new(crossings(net->mesh))) {
       // Some thin part was still too thin for the coarse net.
       std::unique_ptr<Net> other = from_fine_net();
       if (crossings(other->mesh) < crossings(net->mesh)) {
@@ -122,10 +122,9 @@ class Crystallization {
   }
 
  private:
-  /// Whether the net crosses itself more often than the surface.
-  [[nodiscard]] bool has_new_crossings(const Net& net) const {
-    const int count = crossings(net.mesh);
-    return count > 0 && count > crossings(surface_);
+  /// Whether a net with so many crossings crosses itself more often than the surface.
+  [[nodiscard]] bool are_new(int crossings_of_net) const {
+    return crossings_of_net > 0 && crossings_of_net > crossings(surface_);
   }
 
   [[nodiscard]] RemeshOptions paper_options(double length) const {
@@ -153,7 +152,7 @@ class Crystallization {
         fewest_crossings = count;
         best = net->on_surface.state();
       }
-      if (stopped_ || !has_new_crossings(*net)) break;
+      if (stopped_ || !are_new(count)) break;
     }
     net->on_surface.restore(best);
     return net;
@@ -167,7 +166,7 @@ class Crystallization {
     mend_thin_parts(net.on_surface, surface_, m);
     anneal_net(net, m, fine_stage);
     // Moves in one sheet of a thin part do not see the other.
-    if (has_new_crossings(net)) mend_thin_parts(net.on_surface, surface_, m);
+    if (are_new(crossings(net.mesh))) mend_thin_parts(net.on_surface, surface_, m);
     finish(net);
   }
 
@@ -213,7 +212,7 @@ class Crystallization {
     return static_cast<int>(std::lround(stage.rounds * effort_factor(options_.effort)));
   }
 
-  using Candidate = std::pair<double, ConstrainedMesh::State>;  // and its energy
+  using Candidate = std::pair<double, ConstrainedMesh::State>;  // the energy of a net, and the net
 
   /// Anneals the net several times, hot again each time; what comes out, best first.
   std::vector<Candidate> anneal_often(Net& net, double length, const Stage& stage, int times) {
@@ -237,7 +236,7 @@ class Crystallization {
                             .after_round = [&](int) { return goes_on(net.mesh, length); }});
   }
 
-  /// Another one for each annealing.
+  /// Another one for each annealing; the odd constant keeps those of small seeds apart.
   std::uint64_t next_seed() { return options_.seed + 0x9E3779B97F4A7C15ULL * annealings_++; }
 
   bool goes_on(const TriMesh& mesh, double length) {

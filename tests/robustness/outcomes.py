@@ -114,18 +114,17 @@ def write_records(path, records):
 
 def fill_column(column, records, options):
     """Fills the column for the meshes that do not have it yet."""
-    meshes = records
-    names = [name for name in sorted(os.listdir(options.folder)) if column not in meshes.setdefault(name, {})]
+    names = [name for name in sorted(os.listdir(options.folder)) if column not in records.setdefault(name, {})]
     words = ['with address and undefined-behaviour sanitizers' if sanitized(options.program) else 'as released']
     if column != 'inspect':
         words += [f'`--atoms {options.atoms}`', *[f'`{option}`' for option in options.build_options]]
 
     def look(name):
-        return look_at(os.path.join(options.folder, name), column, meshes[name], options)
+        return look_at(os.path.join(options.folder, name), column, records[name], options)
 
     with ThreadPoolExecutor(options.jobs) as pool:
         for name, result in zip(names, pool.map(look, names)):
-            meshes[name][column] = {**result, 'how': ', '.join(words)}
+            records[name][column] = {**result, 'how': ', '.join(words)}
             print(column, name, result['text'], *result['faults'], sep=' | ', flush=True)
             write_records(options.records, records)
 

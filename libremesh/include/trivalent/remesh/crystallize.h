@@ -36,11 +36,10 @@ struct CrystalOptions {
 /// 2. Defects are annealed: a patch of the net around an irregular vertex is cut out; the flips
 ///    (glide), collapses and splits (climb) at that vertex are tried in it and relaxed, in random
 ///    order, until one is accepted by the rule of [Metropolis1953]. The energy is that of springs,
-///    Σ
-///    (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain by
-///    buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel. A net
-///    of twice the length is annealed twice (once if quick), and the better one goes on: which one
-///    it freezes in is partly luck.
+///    Σ (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain
+///    by buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel. A
+///    net of twice the length is annealed twice (once if quick), and the better one goes on: which
+///    one it freezes in is partly luck.
 /// 3. Every face is divided into four, which keeps the defects as few; parts too thin for the
 ///    coarse net are mended: folds undone, tips reached, edges far from the target split or
 ///    collapsed; and the net is annealed again, colder, at the target length. If it still crosses
