@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -102,7 +103,7 @@ class Annealing {
   std::vector<VertexHandle> disjoint_sites() {
     std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
     for (const auto v : mesh_.vertices()) {
-      if (deviations_[index(v)] == 0 || v.is_boundary()) continue;
+      if (std::abs(deviations_[index(v)]) < options_.least_deviation || v.is_boundary()) continue;
       irregular.emplace_back(hashed(seed_, static_cast<std::uint64_t>(v.idx())), v);
     }
     std::sort(irregular.begin(), irregular.end());
@@ -147,6 +148,8 @@ class Annealing {
     NetPatch start(constrained_, frames_, center, patch_rings, marks_.local());
     if (!start.is_whole()) return decision;
     const int disorder = start.disorder();
+    // Thin parts have some already.
+    const int most_steep = start.steep_corners() + options_.most_new_steep;
     start.relax(options_.length, sweeps);
     const double energy = energy_of(start);
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
@@ -160,9 +163,10 @@ class Annealing {
         patch.relax(options_.length, trial.sweeps, start.count_within(trial.rings));
         return energy_of(patch) - energy > most + trial.hopeless;
       });
-      if (is_hopeless || !patch.is_upright()) continue;
+      if (is_hopeless || patch.steep_corners() > most_steep) continue;
       decision.patch = patch;
       project(decision);
+      if (decision.patch->steep_corners() > most_steep) decision.patch.reset();
       break;
     }
     return decision;
@@ -207,7 +211,7 @@ class Annealing {
     return true;
   }
 
-  /// Puts the patch onto the surface; drops the decision if a face would turn over there.
+  /// Puts the patch onto the surface.
   void project(Decision& decision) const {
     NetPatch& patch = *decision.patch;
     const Anchor center = constrained_.anchor(patch.vertex(0));
@@ -226,7 +230,6 @@ class Annealing {
       decision.frames.push_back(patch.is_free(i) ? motion_frame(constrained_, position, anchor)
                                                  : MotionFrame());
     }
-    if (!patch.is_upright()) decision.patch.reset();
   }
 
   void apply(const Decision& decision) {

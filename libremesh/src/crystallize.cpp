@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "annealing.h"
+#include "inflation.h"
 #include "paper_loop.h"
 #include "sliding.h"
 #include "spring_relaxation.h"
@@ -35,7 +36,11 @@ struct Stage {
 
 /// At twice the target length the net orders as a whole: hot, slow, and cheap, as vertices are few.
 constexpr Stage coarse_stage = {.first_temperature = 0.1, .core_energy = 0.0, .rounds = 1600};
-constexpr int most_searches = 2;  // whose best is taken
+/// How a net freezes is luck, which averages out in a large one: the coarse net is annealed as
+/// often as makes this many vertices in all, and the best is taken.
+constexpr int searched_vertices = 6000;
+constexpr int most_searches = 4;
+constexpr std::size_t most_refined = 2;  // of these, if the best ends up crossing itself
 /// At the target length defects only find their places, and pairs that cost more than they relieve
 /// vanish.
 constexpr Stage fine_stage = {.first_temperature = 0.03, .core_energy = 0.03, .rounds = 300};
@@ -44,14 +49,28 @@ constexpr Stage only_stage = {.first_temperature = 0.1, .core_energy = 0.03, .ro
 
 /// Iterations of the paper's loop that make the net to start from.
 constexpr int first_iterations = 20;
+constexpr int valence_rounds = 20;   // that mend the last valences outside 5 to 7
 constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
+constexpr int settling_sweeps = 20;  // once faces lie half inside and half outside
 constexpr int opening_sweeps = 60;   // before they move
 constexpr int mending_sweeps = 20;   // before what they cannot mend is found
+
+/// Of the length: how far a vertex may walk on its sheet.
+constexpr double sheet_reach = 0.1;
+/// Parts thinner than this [target lengths] are inflated for a coarse net.
+constexpr double thinnest_for_coarse = 3.0;
 
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int fewest_coarse_vertices = 150;
 
 int crossings(const TriMesh& mesh) { return measure_quality(mesh).self_intersections; }
+
+/// Of the vertices of a surface to a net.
+std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
+  const std::vector<Eigen::Vector3d> points(surface.points(),
+                                            surface.points() + surface.n_vertices());
+  return distances_to_surface(points, net);
+}
 
 /// Whether the net of this edge length sees the shape, but for a few thin parts that can be mended
 /// after the division: all but a few faces look about where the surface does at their corners and
@@ -68,21 +87,11 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
     if (normal.dot(there) < least_cosine * there.norm()) ++astray;
   }
   if (astray > most_astray * static_cast<double>(net.mesh.n_faces())) return false;
-  const std::vector<Eigen::Vector3d> points(surface.points(),
-                                            surface.points() + surface.n_vertices());
-  return std::ranges::max(distances_to_surface(points, net.mesh)) < farthest_covered * length;
+  return std::ranges::max(distances_from(surface, net.mesh)) < farthest_covered * length;
 }
 
-/// Chords of a coarse net cut the surface's area: divided onto the surface, its edges come out too
-/// long. Aiming below twice the target by most of that leaves the rest to climb at the fine stage;
-/// the mean ends within 0.5 % of the target.
-double chord_factor(const Net& net, double area) {
-  constexpr double corrected = 0.7;
-  return 1.0 - corrected * (1.0 - std::sqrt(surface_area(net.mesh) / area));
-}
-
-/// What tells good coarse nets from bad ones: over ten seeds on the rocker-arm, its correlation
-/// with REBO's energy of the finished shells is 0.9 (of the strain alone, 0.76).
+/// What tells good coarse nets from bad ones: over twenty seeds on the rocker-arm, its correlation
+/// with REBO's energy of the finished shells is 0.75 (of the strain alone, 0.68).
 double energy_of(const TriMesh& mesh, double length) {
   constexpr double core = 0.07;  // in units of the springs
   const auto irregular = std::ranges::count_if(
@@ -103,9 +112,10 @@ class Crystallization {
     if (!net) {
       net = from_fine_net();
     } else if (!stopped_ && are_new(crossings(net->mesh))) {
-      // Some thin part was still too thin for the coarse net.
+      // Some thin part was still too thin for the coarse net. But a net without crossings may have
+      // lost that part.
       std::unique_ptr<Net> other = from_fine_net();
-      if (crossings(other->mesh) < crossings(net->mesh)) {
+      if (flaws(other->mesh) < flaws(net->mesh)) {
         net = std::move(other);
         coarse_start = false;
       }
@@ -127,6 +137,13 @@ class Crystallization {
     return crossings_of_net > 0 && crossings_of_net > crossings(surface_);
   }
 
+  /// Crossings, and vertices of the surface that are left out.
+  [[nodiscard]] std::ptrdiff_t flaws(const TriMesh& net) const {
+    const double far = options_.target_edge_length;
+    return crossings(net) + std::ranges::count_if(distances_from(surface_, net),
+                                                  [&](double distance) { return distance > far; });
+  }
+
   [[nodiscard]] RemeshOptions paper_options(double length) const {
     return {.target_edge_length = length,
             .iterations = first_iterations,
@@ -136,16 +153,21 @@ class Crystallization {
   /// Null if there is no coarse net.
   std::unique_ptr<Net> from_coarse_net() {
     const double m = options_.target_edge_length;
-    std::unique_ptr<Net> net = coarse_net();
-    if (!net) return nullptr;
-    const int searches = options_.effort == Effort::quick ? 1 : most_searches;
+    auto net = std::make_unique<Net>(surface_, options_.feature_angle);
+    const TriMesh room = inflated(net->on_surface, thinnest_for_coarse * m).value_or(surface_);
+    std::unique_ptr<Net> coarse = coarse_net(room);
+    if (!coarse) return nullptr;
+    net->on_surface.stay_on_sheets(sheet_reach * m);
+    const double coarse_length =
+        2.0 * m * std::sqrt(surface_area(coarse->mesh) / area_divided(*coarse));
+    const int searches = searches_for(*coarse);
     rounds_ += searches * rounds_of(coarse_stage) + rounds_of(fine_stage);
     ConstrainedMesh::State best;
     std::optional<int> fewest_crossings;
-    for (const auto& [energy, coarse] :
-         anneal_often(*net, 2.0 * m * chord_factor(*net, area_), coarse_stage, searches)) {
+    for (const auto& [energy, state] :
+         anneal_often(*coarse, coarse_length, coarse_stage, searches)) {
       if (fewest_crossings) rounds_ += rounds_of(fine_stage);
-      net->on_surface.restore(coarse);
+      divide(state, *coarse, room, *net);
       refine(*net);
       const int count = crossings(net->mesh);
       if (!fewest_crossings || count < *fewest_crossings) {
@@ -158,10 +180,34 @@ class Crystallization {
     return net;
   }
 
-  /// From twice the target length to the target length.
+  [[nodiscard]] int searches_for(const Net& coarse) const {
+    if (options_.effort == Effort::quick) return 1;
+    return std::clamp(searched_vertices / static_cast<int>(coarse.mesh.n_vertices()), 1,
+                      most_searches);
+  }
+
+  /// Divides a coarse net onto the surface.
+  void divide(const ConstrainedMesh::State& coarse_state, Net& coarse, const TriMesh& room,
+              Net& net) const {
+    coarse.on_surface.restore(coarse_state);
+    coarse.on_surface.subdivide();
+    net.on_surface.restore(carried_over(coarse.on_surface.state(), room, surface_));
+  }
+
+  /// The area of a coarse net once it is divided, half inside and half outside. Its own is less, as
+  /// chords cut the surface.
+  static double area_divided(Net& coarse) {
+    const ConstrainedMesh::State state = coarse.on_surface.state();
+    coarse.on_surface.subdivide();
+    straddle_surface(coarse.on_surface);
+    const double area = surface_area(coarse.mesh);
+    coarse.on_surface.restore(state);
+    return area;
+  }
+
+  /// Brings a net that comes from twice the target length to the target length.
   void refine(Net& net) {
     const double m = options_.target_edge_length;
-    net.on_surface.subdivide();
     relax_springs(net.on_surface, m, mending_sweeps);
     mend_thin_parts(net.on_surface, surface_, m);
     anneal_net(net, m, fine_stage);
@@ -171,7 +217,7 @@ class Crystallization {
   }
 
   std::unique_ptr<Net> from_fine_net() {
-    std::unique_ptr<Net> net = first_net(options_.target_edge_length);
+    std::unique_ptr<Net> net = first_net(surface_, options_.target_edge_length);
     rounds_ += rounds_of(only_stage);
     anneal_net(*net, options_.target_edge_length, only_stage);
     finish(*net);
@@ -179,33 +225,42 @@ class Crystallization {
   }
 
   void finish(Net& net) const {
-    relax_springs(net.on_surface, options_.target_edge_length, closing_sweeps);
+    const double m = options_.target_edge_length;
+    // A valence outside 5 to 7 is worth more strain than a pair of other defects.
+    anneal(net.on_surface, {.length = m,
+                            .core_energy = 1.0,
+                            .rounds = valence_rounds,
+                            .seed = options_.seed,
+                            .least_deviation = 2,
+                            .most_new_steep = 2});
+    relax_springs(net.on_surface, m, closing_sweeps);
     straddle_surface(net.on_surface);
+    settle_springs(net.on_surface, m, settling_sweeps);
     if (crossings(net.mesh) > 0 && crossings(surface_) == 0) part_sheets(net.on_surface);
   }
 
   /// The surface remeshed by the paper's loop.
-  [[nodiscard]] std::unique_ptr<Net> first_net(double length) const {
-    auto net = std::make_unique<Net>(surface_, options_.feature_angle);
+  [[nodiscard]] std::unique_ptr<Net> first_net(const TriMesh& surface, double length) const {
+    auto net = std::make_unique<Net>(surface, options_.feature_angle);
     remesh_in_place(net->on_surface, paper_options(length), [](const RemeshProgress&) {});
-    net->on_surface.stay_on_sheets(0.1 * length);
+    net->on_surface.stay_on_sheets(sheet_reach * length);
     return net;
   }
 
   /// A net of twice the target length, unless the surface is too small or too thin for one.
-  [[nodiscard]] std::unique_ptr<Net> coarse_net() const {
+  [[nodiscard]] std::unique_ptr<Net> coarse_net(const TriMesh& surface) const {
     const double length = 2.0 * options_.target_edge_length;
     const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
     if (area_ < fewest_coarse_vertices * unit_area * length * length) return nullptr;
     try {
-      check_remeshable(surface_, paper_options(length));
+      check_remeshable(surface, paper_options(length));
     } catch (const InvalidOption&) {
       return nullptr;  // a part of the surface cannot hold so long an edge
     }
-    std::unique_ptr<Net> net = first_net(length);
+    std::unique_ptr<Net> net = first_net(surface, length);
     unfold(net->on_surface);
     relax_springs(net->on_surface, length, opening_sweeps);
-    return is_sound(*net, surface_, length) ? std::move(net) : nullptr;
+    return is_sound(*net, surface, length) ? std::move(net) : nullptr;
   }
 
   [[nodiscard]] int rounds_of(const Stage& stage) const {
@@ -214,7 +269,7 @@ class Crystallization {
 
   using Candidate = std::pair<double, ConstrainedMesh::State>;  // the energy of a net, and the net
 
-  /// Anneals the net several times, hot again each time; what comes out, best first.
+  /// Anneals the net several times, hot again each time; the best that come out, best first.
   std::vector<Candidate> anneal_often(Net& net, double length, const Stage& stage, int times) {
     std::vector<Candidate> candidates;
     for (int k = 0; k == 0 || (k < times && !stopped_); ++k) {
@@ -222,6 +277,7 @@ class Crystallization {
       candidates.emplace_back(energy_of(net.mesh, length), net.on_surface.state());
     }
     std::ranges::stable_sort(candidates, {}, &Candidate::first);
+    if (candidates.size() > most_refined) candidates.resize(most_refined);
     return candidates;
   }
 

@@ -234,8 +234,9 @@ struct Spokes {
 
 /// Spokes number `first` to `first` + 3 of a vertex.
 template <typename Ring>
-Spokes spokes_from(const Eigen::Vector4f& center, const Ring& ring, int valence, int first,
-                   const Eigen::Vector4f* places) {
+[[gnu::always_inline]] inline Spokes spokes_from(const Eigen::Vector4f& center, const Ring& ring,
+                                                 int valence, int first,
+                                                 const Eigen::Vector4f* places) {
   constexpr std::array<float, 8> mask = {1.0F, 1.0F, 1.0F, 1.0F, 0.0F, 0.0F, 0.0F, 0.0F};
   Eigen::Matrix4f edges;
   for (int k = 0; k < 4; ++k) {
@@ -335,7 +336,8 @@ double NetPatch::strain(double length) const {
   return sum;
 }
 
-bool NetPatch::is_upright() const {
+int NetPatch::steep_corners() const {
+  int steep = 0;
   for (int i = 0; i < count_; ++i) {
     if (!is_inside(i) || mobility_[at(i)] == 0) continue;
     const int n = valence_[at(i)];
@@ -343,11 +345,10 @@ bool NetPatch::is_upright() const {
       const Vector b = place_[ring_[at(i)][at(k)]] - place_[at(i)];
       const Vector c = place_[ring_[at(i)][at(k + 1 == n ? 0 : k + 1)]] - place_[at(i)];
       const Vector area = b.cross3(c);
-      if (area.dot(normal_[at(i)]) <= 0.2F * std::max(b.squaredNorm(), c.squaredNorm()))
-        return false;
+      if (area.dot(normal_[at(i)]) <= 0.2F * std::max(b.squaredNorm(), c.squaredNorm())) ++steep;
     }
   }
-  return true;
+  return steep;
 }
 
 }  // namespace trivalent::remesh

@@ -93,8 +93,8 @@ class NetPatch {
   void relax(double length, int sweeps, int reach = capacity);
   /// Σ (|e|/L - 1)² over the edges with an end inside.
   [[nodiscard]] double strain(double length) const;
-  /// Whether every face looks outwards and has some area.
-  [[nodiscard]] bool is_upright() const;
+  /// Corners of faces that stand steeply on the surface there, look inwards or have hardly an area.
+  [[nodiscard]] int steep_corners() const;
 
  private:
   using Ring = std::array<std::uint8_t, most_neighbors>;

@@ -74,6 +74,15 @@ void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
   }
 }
 
+void settle_springs(ConstrainedMesh& constrained, double length, int sweeps) {
+  TriMesh& mesh = constrained.mesh;
+  const std::vector<Eigen::Vector3d> positions =
+      positions_after(constrained, neighborhoods_of(mesh), length, sweeps);
+  for (const auto v : mesh.vertices()) {
+    if (constrained.anchor(v).kind == FeatureKind::none) mesh.point(v) = positions[index(v)];
+  }
+}
+
 double spring_strain(const TriMesh& mesh, double length) {
   double count = 0.0;
   double sum = 0.0;

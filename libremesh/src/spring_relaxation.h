@@ -15,6 +15,10 @@ namespace trivalent::remesh {
 /// plane, or along its feature curve. Then all are projected; no face turns over.
 void relax_springs(ConstrainedMesh& constrained, double length, int sweeps);
 
+/// The same for a net that is at rest on the surface but for a small step off it: vertices move in
+/// their tangent planes only, and are not projected.
+void settle_springs(ConstrainedMesh& constrained, double length, int sweeps);
+
 /// Mean of (|e|/L - 1)² over the edges.
 [[nodiscard]] double spring_strain(const TriMesh& mesh, double length);
 

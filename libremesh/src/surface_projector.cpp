@@ -8,7 +8,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "trivalent/remesh/error.h"
@@ -133,6 +135,13 @@ struct SurfaceProjector::Impl {
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  [[nodiscard]] Eigen::Vector3d vertex_position(VertexHandle v) const {
+    const int t = fans[at(fan_begin[index(v)])];
+    const auto& around = corners[at(face_of[at(t)])];
+    const auto k = std::ranges::find(around, v.idx()) - around.begin();
+    return to_eigen(triangles[at(t)][static_cast<int>(k)]);
+  }
+
   [[nodiscard]] SurfacePoint answer(const Tree::Point_and_primitive_id& hit) const {
     const auto triangle = static_cast<std::size_t>(hit.second - triangles.begin());
     return {to_eigen(hit.first), face_of[triangle]};
@@ -177,6 +186,33 @@ SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const
       Kernel().construct_projected_point_3_object()(*triangle, to_cgal(p));
   return impl_->answer(
       impl_->tree.closest_point_and_primitive(to_cgal(p), {on_triangle, triangle}));
+}
+
+const Eigen::Vector3d& SurfaceProjector::normal(VertexHandle v) const {
+  return impl_->vertex_normals[index(v)];
+}
+
+double SurfaceProjector::thickness(VertexHandle v) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto begin = impl_->fan_begin[index(v)];
+  const auto end = impl_->fan_begin[index(v) + 1];
+  const Eigen::Vector3d& normal = impl_->vertex_normals[index(v)];
+  if (begin == end || !normal.allFinite()) return infinity;
+  const auto around = std::span(impl_->fans).subspan(Impl::at(begin), Impl::at(end - begin));
+  const Eigen::Vector3d p = impl_->vertex_position(v);
+  // Not quite straight: on symmetric shapes rays would run along edges, and slip through.
+  const Eigen::Vector3d inwards = -normal + 1e-5 * Eigen::Vector3d(0.61, -0.35, 0.71);
+  const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
+  const auto hit = impl_->tree.first_intersection(ray, [&](Primitive::Id t) {
+    return std::ranges::count(around, static_cast<int>(t - impl_->triangles.cbegin())) > 0;
+  });
+  if (!hit) return infinity;
+  const Kernel::Triangle_3& there = *hit->second;
+  const Eigen::Vector3d a = to_eigen(there[0]);
+  const Eigen::Vector3d looks = (to_eigen(there[1]) - a).cross(to_eigen(there[2]) - a);
+  const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+  if (point == nullptr || looks.dot(normal) >= 0.0) return infinity;
+  return (to_eigen(*point) - p).norm();
 }
 
 SurfacePoint SurfaceProjector::walk_towards(const Eigen::Vector3d& p, int face) const {

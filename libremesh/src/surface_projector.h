@@ -37,6 +37,11 @@ class SurfaceProjector {
 
   /// Unit normal: the vertex normals interpolated over the face, as a smooth surface would have it.
   [[nodiscard]] Eigen::Vector3d normal(const SurfacePoint& p) const;
+  [[nodiscard]] const Eigen::Vector3d& normal(VertexHandle v) const;
+
+  /// How far it is from a vertex, straight inwards, to the other side of the surface; infinite if
+  /// nothing is there that looks the other way.
+  [[nodiscard]] double thickness(VertexHandle v) const;
 
  private:
   struct Impl;

@@ -59,6 +59,21 @@ TEST(CrystallizeNet, BeginsCoarseThoughPartsAreThin) {
   EXPECT_LT(measure_distance(result.mesh, elephant).max(), 0.012);  // tips are reached
 }
 
+TEST(CrystallizeNet, LiesOnBothSidesOfAPlateThinnerThanItsEdges) {
+  TriMesh plate = make_shape("sphere", {}, 0.1);
+  for (const auto v : plate.vertices()) plate.point(v).z() *= 0.08;
+  const double target = 0.1;
+  const RemeshResult result = crystallize(plate, quick(target));
+  EXPECT_TRUE(result.coarse_start);
+  const MeshQuality quality = measure_quality(result.mesh);
+  EXPECT_EQ(quality.self_intersections, 0);
+  EXPECT_EQ(quality.euler_characteristic, 2);
+  EXPECT_GT(quality.regular_fraction, 0.85);  // its rim is sharp
+  EXPECT_GE(quality.valences.begin()->first, 5);
+  EXPECT_LE(quality.valences.rbegin()->first, 7);
+  EXPECT_LT(measure_distance(result.mesh, plate).max(), target);
+}
+
 TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
   std::vector<std::vector<Eigen::Vector3d>> nets;

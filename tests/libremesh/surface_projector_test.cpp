@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/shapes.h"
@@ -55,6 +57,19 @@ TEST(SurfaceProjector, InterpolatesTheNormalsOfASphere) {
     // Chords of length 0.1 on a unit sphere: the normals differ by an angle of order 0.1².
     ASSERT_LT((surface.normal(center) - center.position.normalized()).norm(), 0.01);
   }
+}
+
+TEST(SurfaceProjector, MeasuresTheThicknessStraightInwards) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.1);
+  const SurfaceProjector surface(sphere);
+  for (const auto v : sphere.vertices()) ASSERT_NEAR(surface.thickness(v), 2.0, 0.02);
+}
+
+TEST(SurfaceProjector, FindsAnOpenSheetInfinitelyThick) {
+  const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}};
+  const SurfaceProjector surface(make_mesh(points, triangles));
+  EXPECT_TRUE(std::isinf(surface.thickness(VertexHandle(0))));
 }
 
 TEST(SurfaceProjector, SkipsFacesWithoutAnArea) {
