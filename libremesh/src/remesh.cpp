@@ -1,5 +1,6 @@
 #include "trivalent/remesh/remesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,10 +47,11 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   }
 }
 
-/// Area of every component, and whether it is closed.
+/// A connected part.
 struct Component {
   double area = 0.0;
   bool closed = true;
+  Eigen::AlignedBox3d box;
 };
 
 std::vector<Component> components_of(const TriMesh& mesh) {
@@ -65,6 +67,7 @@ std::vector<Component> components_of(const TriMesh& mesh) {
       front.pop_back();
       component.area += mesh.calc_face_area(f);
       if (mesh.is_boundary(f)) component.closed = false;
+      for (const auto v : mesh.fv_range(f)) component.box.extend(mesh.point(v));
       for (const auto neighbor : mesh.ff_range(f)) {
         if (seen[static_cast<std::size_t>(neighbor.idx())]) continue;
         seen[static_cast<std::size_t>(neighbor.idx())] = true;
@@ -79,6 +82,8 @@ std::vector<Component> components_of(const TriMesh& mesh) {
 /// More would not fit into the memory of most machines (about 1 kB per face).
 constexpr double most_faces = 2e7;
 
+constexpr double widest_over_width = 2.0;  // of edges, over the width of a part
+
 void check_that_target_fits(const TriMesh& mesh, double target) {
   const double unit_area = std::sqrt(3.0) / 4.0;  // of an equilateral triangle of edge 1
   double area = 0.0;
@@ -87,6 +92,15 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
     if (!(component.area > 0.0) || !std::isfinite(component.area)) {
       throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
                                "; remove flat parts, or scale the mesh to ordinary numbers"));
+    }
+    // The mean width, or girth, of a needle: with much longer edges splits never come to an end.
+    const double width = component.area / component.box.sizes().maxCoeff();
+    if (target > widest_over_width * width) {
+      throw InvalidOption(concat("remesh: a part of the mesh is ", component.box.sizes().maxCoeff(),
+                                 " long and too narrow, ", width, " on average, for edges of ",
+                                 target,
+                                 "; remove vertices that lie far off, or use edges of at most ",
+                                 widest_over_width * width));
     }
     const double largest = longest_edge_for(component.area, component.closed);
     if (target <= largest) continue;

@@ -144,6 +144,12 @@ TEST(Remesh, ThrowsOnAMeshWhoseAreaIsZeroOrOverflows) {
   }
 }
 
+TEST(Remesh, ThrowsOnANeedleInsteadOfSplittingItForever) {
+  TriMesh needle = make_shape("sphere", {}, 0.2);
+  needle.point(VertexHandle(7)) = {0.0, 0.0, 1e11};
+  EXPECT_THROW(remesh(needle, {.target_edge_length = 1e4}), InvalidOption);
+}
+
 TEST(Remesh, ThrowsOnATargetThatNeedsTooManyFaces) {
   const TriMesh sphere = make_shape("sphere", {}, 0.5);
   EXPECT_THROW((void)remesh(sphere, {.target_edge_length = 1e-9}), InvalidOption);

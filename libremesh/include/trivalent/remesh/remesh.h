@@ -57,9 +57,8 @@ struct RemeshResult {
 /// @param mesh  Oriented 2-manifold, open or closed; becomes the surface that vertices lie on.
 /// @throws InvalidMesh    if the mesh has no faces, a vertex without a face, or a part without an
 /// area.
-/// @throws InvalidOption  if an option is out of its range, or m is larger than the shape can hold
-/// or so
-///   small that more than 2e7 faces would be needed.
+/// @throws InvalidOption  if an option is out of its range, m is larger than the shape can hold or
+/// more than twice the width of a needle, or so small that more than 2e7 faces would be needed.
 ///
 /// A component can hold m if its area has room for the 20 faces of an icosahedron (for 2 if it is
 /// open).
