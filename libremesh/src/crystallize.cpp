@@ -90,6 +90,19 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
   return std::ranges::max(distances_from(surface, net.mesh)) < farthest_covered * length;
 }
 
+/// How the area of a net changes on the way from an inflated surface to the surface itself, times
+/// the part of the surface that was inflated. Few inflated parts are left to find room by
+/// themselves, so that the others keep their density.
+double shrinkage(const TriMesh& inflated, const TriMesh& surface) {
+  double moved = 0.0;
+  for (const auto f : inflated.faces()) {
+    const auto moves = [&](VertexHandle v) { return inflated.point(v) != surface.point(v); };
+    if (std::ranges::any_of(f.vertices(), moves)) moved += inflated.calc_face_area(f);
+  }
+  const double whole = surface_area(inflated);
+  return 1.0 - moved / whole * (1.0 - surface_area(surface) / whole);
+}
+
 /// What tells good coarse nets from bad ones: over twenty seeds on the rocker-arm, its correlation
 /// with REBO's energy of the finished shells is 0.75 (of the strain alone, 0.68).
 double energy_of(const TriMesh& mesh, double length) {
@@ -159,7 +172,8 @@ class Crystallization {
     if (!coarse) return nullptr;
     net->on_surface.stay_on_sheets(sheet_reach * m);
     const double coarse_length =
-        2.0 * m * std::sqrt(surface_area(coarse->mesh) / area_divided(*coarse));
+        2.0 * m *
+        std::sqrt(surface_area(coarse->mesh) / area_divided(*coarse) / shrinkage(room, surface_));
     const int searches = searches_for(*coarse);
     rounds_ += searches * rounds_of(coarse_stage) + rounds_of(fine_stage);
     ConstrainedMesh::State best;

@@ -7,8 +7,8 @@
 
 namespace trivalent::remesh {
 
-/// The same surface with its thin parts inflated to about the given thickness, so that a net of long
-/// edges can lie on both sides of them. Vertices on curves stay.
+/// The same surface with its thin parts inflated to about the given thickness, so that a net of
+/// long edges can lie on both sides of them. Vertices on curves stay.
 ///
 /// @param on_surface  The surface itself, as its net at the start.
 /// @return Nothing if no part is thinner.

@@ -93,6 +93,12 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
       throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
                                "; remove flat parts, or scale the mesh to ordinary numbers"));
     }
+    const double largest = longest_edge_for(component.area, component.closed);
+    if (target > largest) {
+      throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
+                                 component.closed ? "a closed" : "an open", " part of area ",
+                                 component.area, "; it can hold at most ", largest));
+    }
     // The mean width, or girth, of a needle: with much longer edges splits never come to an end.
     const double width = component.area / component.box.sizes().maxCoeff();
     if (target > widest_over_width * width) {
@@ -102,11 +108,6 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
                                  "; remove vertices that lie far off, or use edges of at most ",
                                  widest_over_width * width));
     }
-    const double largest = longest_edge_for(component.area, component.closed);
-    if (target <= largest) continue;
-    throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
-                               component.closed ? "a closed" : "an open", " part of area ",
-                               component.area, "; it can hold at most ", largest));
   }
   const double smallest = std::sqrt(area / most_faces / unit_area);
   if (target < smallest) {

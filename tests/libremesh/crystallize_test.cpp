@@ -59,19 +59,22 @@ TEST(CrystallizeNet, BeginsCoarseThoughPartsAreThin) {
   EXPECT_LT(measure_distance(result.mesh, elephant).max(), 0.012);  // tips are reached
 }
 
-TEST(CrystallizeNet, LiesOnBothSidesOfAPlateThinnerThanItsEdges) {
+TEST(CrystallizeNet, LiesOnBothSidesOfThinPlates) {
+  // Twice as thick as the edges are long, with a sharp rim.
   TriMesh plate = make_shape("sphere", {}, 0.1);
-  for (const auto v : plate.vertices()) plate.point(v).z() *= 0.08;
+  for (const auto v : plate.vertices()) plate.point(v).z() *= 0.1;
   const double target = 0.1;
-  const RemeshResult result = crystallize(plate, quick(target));
+  const RemeshResult result = crystallize(plate, {.target_edge_length = target});
   EXPECT_TRUE(result.coarse_start);
   const MeshQuality quality = measure_quality(result.mesh);
   EXPECT_EQ(quality.self_intersections, 0);
   EXPECT_EQ(quality.euler_characteristic, 2);
-  EXPECT_GT(quality.regular_fraction, 0.85);  // its rim is sharp
+  EXPECT_GT(quality.regular_fraction, 0.94);
+  EXPECT_LT(quality.edge_length.relative(), 0.05);
+  EXPECT_NEAR(quality.edge_length.mean, target, 0.02 * target);
   EXPECT_GE(quality.valences.begin()->first, 5);
   EXPECT_LE(quality.valences.rbegin()->first, 7);
-  EXPECT_LT(measure_distance(result.mesh, plate).max(), target);
+  EXPECT_LT(measure_distance(result.mesh, plate).max(), 1.2 * target);
 }
 
 TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
