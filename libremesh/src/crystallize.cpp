@@ -51,6 +51,7 @@ constexpr Stage only_stage = {.first_temperature = 0.1, .core_energy = 0.03, .ro
 constexpr int first_iterations = 20;
 constexpr int valence_rounds = 20;   // that mend the last valences outside 5 to 7
 constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
+constexpr int quick_closing_sweeps = 80;
 constexpr int settling_sweeps = 20;  // once faces lie half inside and half outside
 constexpr int opening_sweeps = 60;   // before they move
 constexpr int mending_sweeps = 20;   // before what they cannot mend is found
@@ -247,7 +248,8 @@ class Crystallization {
                             .seed = options_.seed,
                             .least_deviation = 2,
                             .most_new_steep = 2});
-    relax_springs(net.on_surface, m, closing_sweeps);
+    relax_springs(net.on_surface, m,
+                  options_.effort == Effort::quick ? quick_closing_sweeps : closing_sweeps);
     straddle_surface(net.on_surface);
     settle_springs(net.on_surface, m, settling_sweeps);
     if (crossings(net.mesh) > 0 && crossings(surface_) == 0) part_sheets(net.on_surface);
