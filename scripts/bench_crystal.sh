@@ -12,7 +12,7 @@ program=$PWD/build/release/bin/trivalent
 peer=$PWD/build/release/bin/remesh_bench
 meshes=$PWD/build/release/data/meshes
 [[ $# -gt 0 ]] || set -- "$meshes/bunny00.off" 0.01648791 "$meshes/knot2.off" 0.01394955 \
-  "$meshes/elephant.off" 0.01198981 "$meshes/fandisk.off" 0.0159602 \
+  "$meshes/elephant.off" 0.01198981 "$meshes/lion-head.off" 0.01491 "$meshes/fandisk.off" 0.0159602 \
   "$meshes/bunny00.off" 0.00521395
 mkdir -p results/crystal
 
