@@ -49,8 +49,9 @@ constexpr Stage only_stage = {.first_temperature = 0.1, .core_energy = 0.03, .ro
 
 /// Iterations of the paper's loop that make the net to start from.
 constexpr int first_iterations = 20;
-constexpr int valence_rounds = 20;   // that mend the last valences outside 5 to 7
-constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
+constexpr int quick_first_iterations = 14;  // after 8, folds of some coarse nets are left
+constexpr int valence_rounds = 20;          // that mend the last valences outside 5 to 7
+constexpr int closing_sweeps = 200;         // of the springs, once defects are at rest
 constexpr int quick_closing_sweeps = 80;
 constexpr int settling_sweeps = 20;  // once faces lie half inside and half outside
 constexpr int opening_sweeps = 60;   // before they move
@@ -159,9 +160,10 @@ class Crystallization {
   }
 
   [[nodiscard]] RemeshOptions paper_options(double length) const {
-    return {.target_edge_length = length,
-            .iterations = first_iterations,
-            .feature_angle = options_.feature_angle};
+    return {
+        .target_edge_length = length,
+        .iterations = options_.effort == Effort::quick ? quick_first_iterations : first_iterations,
+        .feature_angle = options_.feature_angle};
   }
 
   /// Null if there is no coarse net.
