@@ -58,7 +58,8 @@ Json quality_json(const remesh::MeshQuality& quality) {
           {"regular_fraction", quality.regular_fraction},
           {"smallest_angle_degrees", degrees(quality.smallest_angle)},
           {"largest_angle_degrees", degrees(quality.largest_angle)},
-          {"self_intersections", quality.self_intersections}};
+          {"self_intersections", quality.self_intersections},
+          {"self_intersections_are_all", quality.self_intersections < remesh::most_crossing_pairs}};
 }
 
 Json components_json(const remesh::MeshComponents& components) {

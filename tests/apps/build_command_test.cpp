@@ -28,6 +28,7 @@ TEST_F(BuildCommand, GoesTheWholeWay) {
   EXPECT_TRUE(result["network"]["is_trivalent"].get<bool>());
   EXPECT_EQ(result["network"]["ring_excess"], 12);
   EXPECT_EQ(result["quality"]["self_intersections"], 0);
+  EXPECT_EQ(result["quality"]["self_intersections_are_all"], true);
   EXPECT_EQ(result["options"]["atoms"], 1000);
   EXPECT_EQ(result["input"], "sphere");
 }
