@@ -49,6 +49,7 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
 
 /// A connected part.
 struct Component {
+  int first_face = 0;
   double area = 0.0;
   bool closed = true;
   Eigen::AlignedBox3d box;
@@ -60,6 +61,7 @@ std::vector<Component> components_of(const TriMesh& mesh) {
   for (const auto first : mesh.faces()) {
     if (seen[static_cast<std::size_t>(first.idx())]) continue;
     Component component;
+    component.first_face = first.idx();
     std::vector<FaceHandle> front = {first};
     seen[static_cast<std::size_t>(first.idx())] = true;
     while (!front.empty()) {
@@ -82,9 +84,8 @@ std::vector<Component> components_of(const TriMesh& mesh) {
 /// More would not fit into the memory of most machines (about 1 kB per face).
 constexpr double most_faces = 2e7;
 
-constexpr double widest_over_width = 2.0;  // of edges, over the width of a part
-
 void check_that_target_fits(const TriMesh& mesh, double target) {
+  constexpr double widest_over_width = 2.0;  // of edges, over the mean width of a part
   const double unit_area = std::sqrt(3.0) / 4.0;  // of an equilateral triangle of edge 1
   double area = 0.0;
   for (const Component& component : components_of(mesh)) {
@@ -102,9 +103,9 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
     // The mean width, or girth, of a needle: with much longer edges splits never come to an end.
     const double width = component.area / component.box.sizes().maxCoeff();
     if (target > widest_over_width * width) {
-      throw InvalidOption(concat("remesh: a part of the mesh is ", component.box.sizes().maxCoeff(),
-                                 " long and too narrow, ", width, " on average, for edges of ",
-                                 target,
+      throw InvalidOption(concat("remesh: the part with face ", component.first_face, " is ",
+                                 component.box.sizes().maxCoeff(), " long and too narrow, ", width,
+                                 " on average, for edges of ", target,
                                  "; remove vertices that lie far off, or use edges of at most ",
                                  widest_over_width * width));
     }
