@@ -37,10 +37,10 @@ std::vector<VertexHandle> along_space_filling_curve(const TriMesh& mesh) {
 
 }  // namespace
 
-ConstrainedMesh::ConstrainedMesh(TriMesh& original, std::optional<double> feature_angle)
+ConstrainedMesh::ConstrainedMesh(TriMesh& original, const Creases& creases)
     : mesh(original),
       surface_(original),
-      curves_(original, feature_angle),
+      curves_(original, creases),
       anchors_(original),
       curve_of_(original) {
   for (const auto e : mesh.edges()) curve_of_[e] = curves_.curve_of(e);

@@ -23,7 +23,7 @@ struct Anchor {
 class ConstrainedMesh {
  public:
   /// @param mesh  The original surface; changed in place by the steps of the remeshing.
-  ConstrainedMesh(TriMesh& mesh, std::optional<double> feature_angle);
+  explicit ConstrainedMesh(TriMesh& mesh, const Creases& creases = {});
 
   [[nodiscard]] const SurfaceProjector& surface() const { return surface_; }
   [[nodiscard]] const FeatureCurves& curves() const { return curves_; }

@@ -23,8 +23,7 @@ struct Net {
   TriMesh mesh;
   ConstrainedMesh on_surface;
 
-  Net(const TriMesh& surface, std::optional<double> feature_angle)
-      : mesh(surface), on_surface(mesh, feature_angle) {}
+  Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
 };
 
 /// One annealing, at one edge length.
@@ -118,7 +117,10 @@ double energy_of(const TriMesh& mesh, double length) {
 class Crystallization {
  public:
   Crystallization(const TriMesh& surface, const CrystalOptions& options)
-      : surface_(surface), options_(options), area_(surface_area(surface)) {}
+      : surface_(surface),
+        creases_(find_creases(surface_, options.feature_angle)),
+        options_(options),
+        area_(surface_area(surface_)) {}
 
   RemeshResult run() {
     check_remeshable(surface_, paper_options(options_.target_edge_length));
@@ -162,14 +164,13 @@ class Crystallization {
   [[nodiscard]] RemeshOptions paper_options(double length) const {
     return {
         .target_edge_length = length,
-        .iterations = options_.effort == Effort::quick ? quick_first_iterations : first_iterations,
-        .feature_angle = options_.feature_angle};
+        .iterations = options_.effort == Effort::quick ? quick_first_iterations : first_iterations};
   }
 
   /// Null if there is no coarse net.
   std::unique_ptr<Net> from_coarse_net() {
     const double m = options_.target_edge_length;
-    auto net = std::make_unique<Net>(surface_, options_.feature_angle);
+    auto net = std::make_unique<Net>(surface_, creases_);
     const TriMesh room = inflated(net->on_surface, thinnest_for_coarse * m).value_or(surface_);
     std::unique_ptr<Net> coarse = coarse_net(room);
     if (!coarse) return nullptr;
@@ -259,7 +260,7 @@ class Crystallization {
 
   /// The surface remeshed by the paper's loop.
   [[nodiscard]] std::unique_ptr<Net> first_net(const TriMesh& surface, double length) const {
-    auto net = std::make_unique<Net>(surface, options_.feature_angle);
+    auto net = std::make_unique<Net>(surface, creases_);
     remesh_in_place(net->on_surface, paper_options(length), [](const RemeshProgress&) {});
     net->on_surface.stay_on_sheets(sheet_reach * length);
     return net;
@@ -329,6 +330,7 @@ class Crystallization {
   }
 
   const TriMesh& surface_;
+  Creases creases_;  // an inflated copy has the same, though its angles differ
   const CrystalOptions& options_;
   double area_;
   int rounds_ = 0;

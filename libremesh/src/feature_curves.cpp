@@ -27,26 +27,29 @@ Eigen::Vector3d nearest_on_segment(const Eigen::Vector3d& p, const Eigen::Vector
 
 }  // namespace
 
-FeatureCurves::FeatureCurves(const TriMesh& surface, std::optional<double> feature_angle)
-    : is_feature_(surface.n_edges(), false),
+Creases find_creases(const TriMesh& surface, std::optional<double> feature_angle) {
+  if (!feature_angle) return {};
+  Creases creases(surface.n_edges(), false);
+  for (const auto e : surface.edges()) {
+    if (e.is_boundary()) continue;
+    const Eigen::Vector3d left = surface.calc_normal(e.h0().face());
+    const Eigen::Vector3d right = surface.calc_normal(e.h1().face());
+    creases[static_cast<std::size_t>(e.idx())] = angle_between(left, right) > *feature_angle;
+  }
+  return creases;
+}
+
+FeatureCurves::FeatureCurves(const TriMesh& surface, const Creases& creases)
+    : is_feature_(creases),
       curve_of_(surface.n_edges()),
       kinds_(surface.n_vertices(), FeatureKind::none),
       places_(surface.n_vertices()) {
-  find_features(surface, feature_angle);
+  is_feature_.resize(surface.n_edges(), false);
+  for (const auto e : surface.edges()) {
+    if (e.is_boundary()) is_feature_[index(e)] = true;
+  }
   find_corners(surface);
   trace_curves(surface);
-}
-
-void FeatureCurves::find_features(const TriMesh& surface, std::optional<double> feature_angle) {
-  for (const auto e : surface.edges()) {
-    if (e.is_boundary()) {
-      is_feature_[index(e)] = true;
-    } else if (feature_angle) {
-      const Eigen::Vector3d left = surface.calc_normal(e.h0().face());
-      const Eigen::Vector3d right = surface.calc_normal(e.h1().face());
-      is_feature_[index(e)] = angle_between(left, right) > *feature_angle;
-    }
-  }
 }
 
 void FeatureCurves::find_corners(const TriMesh& surface) {

@@ -22,13 +22,18 @@ enum class FeatureKind {
   corner,  ///< where curves end, meet or turn sharply
 };
 
-/// The curves of a surface that vertices may slide along but not leave: its open boundaries and, if
-/// asked for, its creases, cut at corners.
+/// For every edge of a surface whether it is a crease; empty: none is.
+using Creases = std::vector<bool>;
+
+/// @param feature_angle  Edges whose faces' normals differ by more than this [rad] are creases;
+///   none: no edges.
+[[nodiscard]] Creases find_creases(const TriMesh& surface, std::optional<double> feature_angle);
+
+/// The curves of a surface that vertices may slide along but not leave: its open boundaries and its
+/// creases, cut at corners.
 class FeatureCurves {
  public:
-  /// @param feature_angle  Edges whose faces' normals differ by more than this [rad] are creases;
-  ///   none: only boundaries.
-  FeatureCurves(const TriMesh& surface, std::optional<double> feature_angle);
+  explicit FeatureCurves(const TriMesh& surface, const Creases& creases = {});
 
   [[nodiscard]] bool empty() const { return curves_.empty(); }
 
@@ -57,7 +62,6 @@ class FeatureCurves {
   static std::size_t index(Handle h) {
     return static_cast<std::size_t>(h.idx());
   }
-  void find_features(const TriMesh& surface, std::optional<double> feature_angle);
   void find_corners(const TriMesh& surface);
   void trace_curves(const TriMesh& surface);
   void trace(const TriMesh& surface, HalfedgeHandle first);

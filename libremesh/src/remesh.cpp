@@ -226,7 +226,7 @@ RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
   check_remeshable(mesh, options);
   RemeshResult result;
   result.mesh = mesh;
-  ConstrainedMesh constrained(result.mesh, options.feature_angle);
+  ConstrainedMesh constrained(result.mesh, find_creases(result.mesh, options.feature_angle));
   remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
     result.iterations = progress.iteration;
     result.relative_spread = progress.relative_spread;

@@ -25,7 +25,7 @@ TriMesh cube() {
 
 TEST(FeatureCurves, FindsTwelveCreasesAndEightCornersOfACube) {
   const TriMesh mesh = cube();
-  const FeatureCurves features(mesh, right_angle / 2.0);
+  const FeatureCurves features(mesh, find_creases(mesh, right_angle / 2.0));
   std::set<int> curves;
   for (const auto e : mesh.edges()) {
     if (features.curve_of(e)) curves.insert(*features.curve_of(e));
@@ -35,13 +35,13 @@ TEST(FeatureCurves, FindsTwelveCreasesAndEightCornersOfACube) {
 }
 
 TEST(FeatureCurves, HasNoCreasesUnlessAskedFor) {
-  EXPECT_TRUE(FeatureCurves(cube(), std::nullopt).empty());
-  EXPECT_TRUE(FeatureCurves(cube(), 1.1 * right_angle).empty());
+  EXPECT_TRUE(FeatureCurves(cube()).empty());
+  EXPECT_TRUE(FeatureCurves(cube(), find_creases(cube(), 1.1 * right_angle)).empty());
 }
 
 TEST(FeatureCurves, CutsTheBoundaryOfASheetAtItsCorners) {
   const TriMesh sheet = testing_support::triangular_sheet(5, 3);
-  const FeatureCurves features(sheet, std::nullopt);
+  const FeatureCurves features(sheet);
   int corners = 0;
   for (const auto v : sheet.vertices()) {
     EXPECT_EQ(features.kind(v) == FeatureKind::none, !v.is_boundary());
@@ -52,7 +52,7 @@ TEST(FeatureCurves, CutsTheBoundaryOfASheetAtItsCorners) {
 
 TEST(FeatureCurves, SlidesAlongTheCurveAndNotBeyondItsEnds) {
   const TriMesh sheet = testing_support::triangular_sheet(6, 2);
-  const FeatureCurves features(sheet, std::nullopt);
+  const FeatureCurves features(sheet);
   const auto on_lower_side =
       std::find_if(sheet.vertices_begin(), sheet.vertices_end(), [&](const auto& v) {
         return features.kind(v) == FeatureKind::curve && sheet.point(v).y() == 0.0;

@@ -19,14 +19,14 @@ TriMesh lens() {
 
 TEST(Inflation, LeavesThickSurfacesAlone) {
   TriMesh sphere = make_shape("sphere", {}, 0.2);
-  EXPECT_FALSE(inflated(ConstrainedMesh(sphere, std::nullopt), 1.5).has_value());
-  EXPECT_TRUE(inflated(ConstrainedMesh(sphere, std::nullopt), 2.5).has_value());
+  EXPECT_FALSE(inflated(ConstrainedMesh(sphere), 1.5).has_value());
+  EXPECT_TRUE(inflated(ConstrainedMesh(sphere), 2.5).has_value());
 }
 
 TEST(Inflation, BringsThinPartsToTheThickness) {
   const TriMesh thin = lens();
   TriMesh mesh = thin;
-  const std::optional<TriMesh> thick = inflated(ConstrainedMesh(mesh, std::nullopt), 0.5);
+  const std::optional<TriMesh> thick = inflated(ConstrainedMesh(mesh), 0.5);
   ASSERT_TRUE(thick.has_value());
   for (const auto v : thin.vertices()) {
     const double before = std::abs(thin.point(v).z());
@@ -43,7 +43,7 @@ TEST(Inflation, LeavesBoundariesInPlace) {
   open.delete_face(FaceHandle(0));
   open.garbage_collection();
   const TriMesh before = open;
-  const std::optional<TriMesh> thick = inflated(ConstrainedMesh(open, std::nullopt), 0.5);
+  const std::optional<TriMesh> thick = inflated(ConstrainedMesh(open), 0.5);
   ASSERT_TRUE(thick.has_value());
   int on_boundary = 0;
   for (const auto v : before.vertices()) {
@@ -57,9 +57,9 @@ TEST(Inflation, LeavesBoundariesInPlace) {
 TEST(Inflation, CarriesANetBackToTheSurface) {
   const TriMesh thin = lens();
   TriMesh mesh = thin;
-  const TriMesh thick = inflated(ConstrainedMesh(mesh, std::nullopt), 0.5).value();
+  const TriMesh thick = inflated(ConstrainedMesh(mesh), 0.5).value();
   TriMesh net = thick;
-  ConstrainedMesh on_thick(net, std::nullopt);
+  ConstrainedMesh on_thick(net);
   on_thick.subdivide();
   const ConstrainedMesh::State carried = carried_over(on_thick.state(), thick, thin);
   ASSERT_EQ(carried.positions.size(), net.n_vertices());

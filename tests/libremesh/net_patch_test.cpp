@@ -14,7 +14,7 @@ namespace {
 /// A sheet whose patches are cut out in its middle.
 class Patch : public testing::Test {
  protected:
-  Patch() : mesh_(make_shape("sphere", {}, 0.2)), sphere_(mesh_, std::nullopt) {}
+  Patch() : mesh_(make_shape("sphere", {}, 0.2)), sphere_(mesh_) {}
 
   NetPatch cut_out(int vertex) {
     return {sphere_, motion_frames(sphere_), VertexHandle(vertex), 3, marks_};
@@ -136,7 +136,7 @@ TEST_F(Patch, RefusesChangesBeyondItsRim) {
 
 TEST(RelaxSprings, LowersTheStrainOnTheSurface) {
   TriMesh mesh = make_shape("ellipsoid", {}, 0.2);
-  ConstrainedMesh constrained(mesh, std::nullopt);
+  ConstrainedMesh constrained(mesh);
   const double length = mean_edge_length(mesh);
   const double before = spring_strain(mesh, length);
   relax_springs(constrained, length, 50);

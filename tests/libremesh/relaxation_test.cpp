@@ -21,7 +21,7 @@ std::vector<Eigen::Vector3d> normals_of(const ConstrainedMesh& constrained) {
 
 TEST(KRingSystem, WeighsVerticesByTheirHops) {
   TriMesh sheet = testing_support::triangular_sheet(8, 8);
-  const ConstrainedMesh constrained(sheet, std::nullopt);
+  const ConstrainedMesh constrained(sheet);
   const auto laplacian = k_ring_system(sheet, normals_of(constrained), 3).laplacian;
   const int center = 4 * 9 + 4;  // the middle of the 9 x 9 vertices
   EXPECT_EQ(laplacian.coeff(center, center + 1), -1.0);
@@ -34,7 +34,7 @@ TEST(KRingSystem, WeighsVerticesByTheirHops) {
 
 TEST(KRingSystem, IsSymmetricAndHasZeroRowSums) {
   TriMesh torus = make_shape("torus", {}, 0.3);
-  const ConstrainedMesh constrained(torus, std::nullopt);
+  const ConstrainedMesh constrained(torus);
   const SparseMatrix laplacian = k_ring_system(torus, normals_of(constrained), 2).laplacian;
   const SparseMatrix transposed = laplacian.transpose();
   EXPECT_EQ((laplacian - transposed).norm(), 0.0);
@@ -43,7 +43,7 @@ TEST(KRingSystem, IsSymmetricAndHasZeroRowSums) {
 
 TEST(KRingSystem, OnAPlaneTheGradientIsLv) {
   TriMesh sheet = testing_support::triangular_sheet(6, 5);
-  const ConstrainedMesh constrained(sheet, std::nullopt);
+  const ConstrainedMesh constrained(sheet);
   const KRingSystem system = k_ring_system(sheet, normals_of(constrained), 3);
   Positions positions(static_cast<Eigen::Index>(sheet.n_vertices()), 3);
   for (const auto v : sheet.vertices()) positions.row(v.idx()) = sheet.point(v).transpose();
@@ -52,7 +52,7 @@ TEST(KRingSystem, OnAPlaneTheGradientIsLv) {
 
 TEST(KRingSystem, ARegularNetOnACylinderIsAtRest) {
   TriMesh tube = make_shape("open-tube", {}, 0.25);
-  ConstrainedMesh constrained(tube, std::nullopt);
+  ConstrainedMesh constrained(tube);
   // The exact cylinder's normals: with them, unfolding is exact up to the chords' sag.
   std::vector<Eigen::Vector3d> normals;
   for (const auto v : tube.vertices()) {
@@ -71,11 +71,11 @@ TEST(KRingSystem, ARegularNetOnACylinderIsAtRest) {
 
 TEST(KRingSystem, FoldsNowhereOnAPlaneAndMoreOnASmallerSphere) {
   TriMesh sheet = testing_support::triangular_sheet(5, 5);
-  const ConstrainedMesh on_sheet(sheet, std::nullopt);
+  const ConstrainedMesh on_sheet(sheet);
   EXPECT_LT(k_ring_system(sheet, normals_of(on_sheet), 2).folding.maxCoeff(), 1e-15);
   const auto mean_folding = [](double edge) {
     TriMesh sphere = make_shape("sphere", {}, edge);
-    const ConstrainedMesh on_sphere(sphere, std::nullopt);
+    const ConstrainedMesh on_sphere(sphere);
     return k_ring_system(sphere, normals_of(on_sphere), 1).folding.mean();
   };
   // 1 - cos of the angle that an edge spans: the square of the edge length over 2.
@@ -87,7 +87,7 @@ class Relaxation : public testing::TestWithParam<Restriction> {};
 
 TEST_P(Relaxation, KeepsAPlaneFlatAndItsOutline) {
   TriMesh sheet = testing_support::triangular_sheet(8, 8);
-  ConstrainedMesh constrained(sheet, std::nullopt);
+  ConstrainedMesh constrained(sheet);
   for (const auto v : sheet.vertices()) {  // shake the inside
     if (!v.is_boundary())
       sheet.point(v) += Eigen::Vector3d(0.2 * std::sin(v.idx()), 0.2 * std::cos(3 * v.idx()), 0.0);
@@ -100,7 +100,7 @@ TEST_P(Relaxation, KeepsAPlaneFlatAndItsOutline) {
 
 TEST_P(Relaxation, BringsAShakenNetBackToRegular) {
   TriMesh sheet = testing_support::triangular_sheet(10, 10);
-  ConstrainedMesh constrained(sheet, std::nullopt);
+  ConstrainedMesh constrained(sheet);
   std::vector<Eigen::Vector3d> regular;
   double shaken = 0.0;
   for (const auto v : sheet.vertices()) {
@@ -120,7 +120,7 @@ TEST_P(Relaxation, BringsAShakenNetBackToRegular) {
 
 TEST_P(Relaxation, DisplacesWithinTheTangentPlanes) {
   TriMesh torus = make_shape("torus", {}, 0.2);
-  const ConstrainedMesh constrained(torus, std::nullopt);
+  const ConstrainedMesh constrained(torus);
   const auto relaxed = relaxed_positions(constrained, {2, GetParam()});
   double along = 0.0;
   double across = 0.0;
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Relaxation,
 
 TEST(SlideVertices, TurnsNoFaceOver) {
   TriMesh sheet = testing_support::triangular_sheet(8, 8);
-  ConstrainedMesh constrained(sheet, std::nullopt);
+  ConstrainedMesh constrained(sheet);
   const auto faces = triangles_of(sheet);
   std::vector<Eigen::Vector3d> wild;
   for (const auto v : sheet.vertices()) {

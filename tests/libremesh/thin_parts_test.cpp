@@ -10,7 +10,7 @@ namespace {
 
 class ThinParts : public testing::Test {
  protected:
-  ThinParts() : mesh_(original_), net_(mesh_, std::nullopt) { net_.stay_on_sheets(0.1 * length); }
+  ThinParts() : mesh_(original_), net_(mesh_) { net_.stay_on_sheets(0.1 * length); }
 
   void move(int vertex, const Eigen::Vector3d& to) {
     Anchor anchor = net_.anchor(VertexHandle(vertex));

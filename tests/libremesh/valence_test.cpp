@@ -31,7 +31,7 @@ TEST(CorrectValences, UndoesAFlipInARegularSheet) {
   for (const auto e : sheet.edges()) {
     if (!e.v0().is_boundary() && !e.v1().is_boundary()) inside = e;
   }
-  ConstrainedMesh constrained(sheet, std::nullopt);
+  ConstrainedMesh constrained(sheet);
   sheet.flip(inside);
   EXPECT_EQ(correct_valences(constrained), 1);
   EXPECT_EQ(total_irregularity(sheet), before);
@@ -41,7 +41,7 @@ TEST(CorrectValences, NeverMakesValencesWorseAndKeepsTheTopology) {
   TriMesh mesh = make_shape("double-torus", {}, 0.12);
   const int before = total_irregularity(mesh);
   const auto vertices = mesh.n_vertices();
-  ConstrainedMesh constrained(mesh, std::nullopt);
+  ConstrainedMesh constrained(mesh);
   EXPECT_GT(correct_valences(constrained), 0);
   EXPECT_LT(total_irregularity(mesh), before);
   EXPECT_EQ(mesh.n_vertices(), vertices);
@@ -51,13 +51,13 @@ TEST(CorrectValences, NeverMakesValencesWorseAndKeepsTheTopology) {
 TEST(CorrectValences, FlipsNoCrease) {
   // Two flat fans that meet at a right angle in an edge whose flip would mend valences.
   TriMesh octahedron = testing_support::octahedron();
-  ConstrainedMesh constrained(octahedron, 0.1);
+  ConstrainedMesh constrained(octahedron, find_creases(octahedron, 0.1));
   EXPECT_EQ(correct_valences(constrained), 0);
 }
 
 TEST(CorrectValences, TurnsNoFaceOver) {
   TriMesh tetrahedron = testing_support::tetrahedron();
-  ConstrainedMesh constrained(tetrahedron, std::nullopt);
+  ConstrainedMesh constrained(tetrahedron);
   EXPECT_EQ(correct_valences(constrained), 0);
 }
 
