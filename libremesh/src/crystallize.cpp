@@ -116,14 +116,13 @@ double energy_of(const TriMesh& mesh, double length) {
 
 class Crystallization {
  public:
-  Crystallization(const TriMesh& surface, const CrystalOptions& options)
-      : surface_(surface),
+  Crystallization(TriMesh surface, const CrystalOptions& options)
+      : surface_(std::move(surface)),
         creases_(find_creases(surface_, options.feature_angle)),
         options_(options),
         area_(surface_area(surface_)) {}
 
   RemeshResult run() {
-    check_remeshable(surface_, paper_options(options_.target_edge_length));
     std::unique_ptr<Net> net = from_coarse_net();
     bool coarse_start = net != nullptr;
     if (!net) {
@@ -329,7 +328,7 @@ class Crystallization {
     return !stopped_;
   }
 
-  const TriMesh& surface_;
+  TriMesh surface_;
   Creases creases_;  // an inflated copy has the same, though its angles differ
   const CrystalOptions& options_;
   double area_;
@@ -354,7 +353,9 @@ double effort_factor(Effort effort) {
 }
 
 RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
-  return Crystallization(mesh, options).run();
+  check_remeshable(mesh, {.target_edge_length = options.target_edge_length,
+                          .feature_angle = options.feature_angle});
+  return Crystallization(with_edges_divided(mesh, options.target_edge_length), options).run();
 }
 
 RemeshResult remesh_by(const TriMesh& mesh, RemeshMethod method, double target_edge_length) {

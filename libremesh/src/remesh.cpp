@@ -2,8 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <queue>
+#include <utility>
 
 #include "constrained_mesh.h"
 #include "paper_loop.h"
@@ -17,6 +21,8 @@
 namespace trivalent::remesh {
 
 namespace {
+
+constexpr double area_of_equilateral = 0.25 * std::numbers::sqrt3;  // triangle of edge 1
 
 void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   if (mesh.n_faces() == 0) throw InvalidMesh("remesh: the mesh has no faces");
@@ -86,7 +92,6 @@ constexpr double most_faces = 2e7;
 
 void check_that_target_fits(const TriMesh& mesh, double target) {
   constexpr double widest_over_width = 2.0;  // of edges, over the mean width of a part
-  const double unit_area = std::sqrt(3.0) / 4.0;  // of an equilateral triangle of edge 1
   double area = 0.0;
   for (const Component& component : components_of(mesh)) {
     area += component.area;
@@ -110,7 +115,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
                                  widest_over_width * width));
     }
   }
-  const double smallest = std::sqrt(area / most_faces / unit_area);
+  const double smallest = std::sqrt(area / most_faces / area_of_equilateral);
   if (target < smallest) {
     throw InvalidOption(concat("remesh: a target edge length of ", target, " on an area of ", area,
                                " makes more than ", most_faces, " faces; use at least ", smallest));
@@ -160,6 +165,18 @@ void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
   } while (distance > far * limits.target && distance < before - least_progress * limits.target);
 }
 
+/// Whether faces around one of its ends meet at a crease.
+bool ends_at_crease(const TriMesh& mesh, EdgeHandle e) {
+  constexpr double sharp = 40.0 * std::numbers::pi / 180.0;
+  const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+  return std::ranges::any_of(
+      std::array{mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)}, [&](VertexHandle v) {
+        return std::ranges::any_of(mesh.ve_range(v), [&](EdgeHandle other) {
+          return !mesh.is_boundary(other) && std::abs(mesh.calc_dihedral_angle(other)) > sharp;
+        });
+      });
+}
+
 /// Up to here everything stays in the processor's cache, whatever the order.
 constexpr std::size_t small_mesh = 20000;  // vertices
 
@@ -201,6 +218,35 @@ void check_remeshable(const TriMesh& mesh, const RemeshOptions& options) {
   check_that_target_fits(mesh, options.target_edge_length);
 }
 
+TriMesh with_edges_divided(const TriMesh& surface, double target) {
+  constexpr double longest = 3.0;         // in target lengths
+  constexpr double most_of_net = 2.0;     // faces, times those of the net
+  constexpr double most_of_input = 16.0;  // faces, times those of the surface
+  TriMesh divided = surface;
+  const double most_faces =
+      most_of_input * static_cast<double>(surface.n_faces()) +
+      most_of_net * surface_area(surface) / (area_of_equilateral * target * target);
+  // The longest first; of equal ones the one with the lower index.
+  std::priority_queue<std::pair<double, int>> queue;
+  const auto add = [&](EdgeHandle e) {
+    const double length = divided.calc_edge_length(e);
+    if (length > longest * target && ends_at_crease(divided, e)) queue.emplace(length, -e.idx());
+  };
+  for (const auto e : divided.edges()) add(e);
+  while (!queue.empty() && static_cast<double>(divided.n_faces()) < most_faces) {
+    const auto [length, minus_index] = queue.top();
+    queue.pop();
+    const EdgeHandle e(-minus_index);
+    if (divided.calc_edge_length(e) != length) continue;  // halved meanwhile
+    const HalfedgeHandle h = divided.halfedge_handle(e, 0);
+    const Eigen::Vector3d middle = 0.5 * (divided.point(divided.from_vertex_handle(h)) +
+                                          divided.point(divided.to_vertex_handle(h)));
+    const VertexHandle v = divided.split(e, middle);
+    for (const auto spoke : divided.ve_range(v)) add(spoke);
+  }
+  return divided;
+}
+
 void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
                      const std::function<void(const RemeshProgress&)>& after_iteration) {
   std::size_t numbered = 0;  // vertices when they were last numbered
@@ -225,7 +271,7 @@ void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
 RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
   check_remeshable(mesh, options);
   RemeshResult result;
-  result.mesh = mesh;
+  result.mesh = with_edges_divided(mesh, options.target_edge_length);
   ConstrainedMesh constrained(result.mesh, find_creases(result.mesh, options.feature_angle));
   remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
     result.iterations = progress.iteration;

@@ -63,15 +63,19 @@ TEST_F(BuildCommand, SaysHowToMendAShellThatCrossesItself) {
     succeed("build " TRIVALENT_MESHES "/" + arguments + " -o out --method paper --no-relax");
     return report("out")["notes"].dump();
   };
-  EXPECT_NE(notes("tetrahedron.off --atoms 500").find("--feature-angle"), std::string::npos);
+  EXPECT_NE(notes("turbine.off --atoms 500").find("--feature-angle"), std::string::npos);
   EXPECT_NE(notes("mask_cone.off --atoms 2000").find("--repair wrap"), std::string::npos);
 }
 
 TEST_F(BuildCommand, RefusesAShellWithAtomsOnTopOfEachOther) {
+  const std::string octahedron =
+      "v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"
+      "f -6 -5 -4\nf -5 -3 -4\nf -3 -2 -4\nf -2 -6 -4\n"
+      "f -5 -6 -1\nf -3 -5 -1\nf -2 -3 -1\nf -6 -2 -1\n";
+  write("twice.obj", octahedron + octahedron);
   expect_failure(1, "--repair wrap",
-                 "build " TRIVALENT_MESHES
-                 "/tetra_intersected_by_triangle.off -o out --atoms 5000 --method paper");
-  EXPECT_FALSE(has("out/surface.off"));
+                 "build twice.obj -o out --atoms 100 --repair none --method paper --iterations 1");
+  EXPECT_FALSE(has("out"));
 }
 
 TEST_F(BuildCommand, MeetsALengthOrAScale) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <numbers>
@@ -110,6 +111,27 @@ TEST(CrystallizeNet, KeepsCreases) {
   // With its rims kept, chords are all that parts the net from the tube.
   EXPECT_LT(measure_distance(net, can).max(), 0.12 / 10.0);
   EXPECT_EQ(testing_support::euler_characteristic(net), testing_support::euler_characteristic(can));
+}
+
+TEST(CrystallizeNet, KeepsCreasesThatInflatingBlunts) {
+  // Blades a third of a coarse edge thick.
+  const TriMesh rotor = read_mesh(TRIVALENT_MESHES "/rotor.off").mesh;
+  const double target = std::sqrt(surface_area(rotor) / 2500.0);
+  CrystalOptions options = quick(target);
+  options.feature_angle = std::numbers::pi / 3.0;
+  const TriMesh net = crystallize(rotor, options).mesh;
+  EXPECT_TRUE(testing_support::is_closed(net));
+  EXPECT_LT(measure_distance(rotor, net).max(), target);
+}
+
+TEST(CrystallizeNet, CoversSolidsOfAFewLargeAcuteFaces) {
+  const TriMesh tetrahedron = testing_support::tetrahedron();
+  const double target = std::sqrt(8.0) / 20.0;
+  const TriMesh net = crystallize(tetrahedron, quick(target)).mesh;
+  const MeshQuality quality = measure_quality(net);
+  EXPECT_EQ(quality.self_intersections, 0);
+  EXPECT_GT(quality.regular_fraction, 0.85);
+  EXPECT_LT(measure_distance(tetrahedron, net).max(), 2.0 * target);  // tips are rounded
 }
 
 TEST(CrystallizeNet, ComesOutOfASurfaceTooSmallForACoarseOne) {
