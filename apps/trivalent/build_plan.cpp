@@ -1,7 +1,5 @@
 #include "build_plan.h"
 
-#include <algorithm>
-
 #include "free_memory.h"
 #include "trivalent/remesh/mesh_components.h"
 
@@ -49,10 +47,22 @@ void find_obstacles(const remesh::MeshComponents& components, BuildPlan& plan) {
                              " of memory would be needed, but only " +
                              size_text(*plan.free_memory) + " are free; ask for fewer atoms");
   }
-  const auto too_small = std::count_if(
-      components.parts.begin(), components.parts.end(), [&](const remesh::MeshComponent& part) {
-        return remesh::longest_edge_for(part.area, part.is_closed()) < plan.shell.edge_length;
-      });
+  int too_small = 0;
+  const remesh::MeshComponent* too_narrow = nullptr;
+  for (const remesh::MeshComponent& part : components.parts) {
+    if (remesh::longest_edge_for(part.area, part.is_closed()) < plan.shell.edge_length) {
+      ++too_small;
+    } else if (remesh::longest_edge_along(part.area, part.box.longest_side()) <
+               plan.shell.edge_length) {
+      too_narrow = too_narrow == nullptr ? &part : too_narrow;
+    }
+  }
+  if (too_narrow != nullptr) {
+    plan.obstacles.push_back("a component is " + significant(too_narrow->box.longest_side()) +
+                             " long and too narrow for edges of " +
+                             significant(plan.shell.edge_length) +
+                             "; remove points that lie far off, or make the shell larger");
+  }
   if (too_small == 0) return;
   if (plan.components == 1) {
     plan.obstacles.push_back(

@@ -1,5 +1,6 @@
 #include "inspection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -60,7 +61,12 @@ void judge(Inspection& result) {
   }
   const bool is_clean = result.diagnosis.findings.empty() && result.repair_notes.empty();
   result.verdict = is_clean && result.mesh ? Verdict::sound : Verdict::mendable;
-  if (result.verdict == Verdict::sound) {
+  const bool has_far_points = std::ranges::any_of(
+      result.diagnosis.findings,
+      [](const remesh::Finding& finding) { return finding.problem == remesh::Problem::far_point; });
+  if (has_far_points && result.mesh) {
+    result.reason = "points lie far off; remove them unless they are meant";
+  } else if (result.verdict == Verdict::sound) {
     result.reason = "it is an oriented surface without self-intersections";
   } else if (result.mesh && result.quality.self_intersections > 0) {
     result.reason = "it intersects itself, and so will its shell; --repair wrap mends that";

@@ -127,6 +127,8 @@ double longest_edge_for(double area, bool is_closed) {
   return std::sqrt(area / least_faces / unit_area);
 }
 
+double longest_edge_along(double area, double length) { return 2.0 * area / length; }
+
 MeshComponents find_components(const TriMesh& mesh) {
   const FacesByComponent walk = walk_over_components(mesh);
   MeshComponents components;

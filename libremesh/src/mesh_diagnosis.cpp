@@ -66,6 +66,33 @@ class Diagnosis {
     }
     std::sort(coincident.begin(), coincident.end());
     for (const int v : coincident) report(Problem::coincident_point, {v}, v);
+    check_far_points(is_used);
+  }
+
+  void check_far_points(const std::vector<char>& is_used) {
+    constexpr double far = 100.0;  // times the median distance
+    std::vector<int> used;
+    for (std::size_t v = 0; v < is_used.size(); ++v) {
+      if (is_used[v] != 0) used.push_back(static_cast<int>(v));
+    }
+    if (used.empty()) return;
+    const auto median_of = [&](const auto& value) {
+      std::vector<double> values;
+      values.reserve(used.size());
+      for (const int v : used) values.push_back(value(v));
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
+    };
+    Eigen::Vector3d center;
+    for (int axis = 0; axis < 3; ++axis) {
+      center[axis] = median_of([&](int v) { return point(v)[axis]; });
+    }
+    const auto distance = [&](int v) { return (point(v) - center).stableNorm(); };
+    const double farthest = far * median_of(distance);
+    for (const int v : used) {
+      if (farthest > 0.0 && distance(v) > farthest) report(Problem::far_point, {v}, v);
+    }
   }
 
   void check_faces() {
@@ -177,6 +204,8 @@ std::string_view name_of(Problem problem) {
       return "misoriented edge";
     case Problem::pinched_vertex:
       return "pinched vertex";
+    case Problem::far_point:
+      return "point far off";
     case Problem::crossing_faces:
       return "pair of crossing faces";
   }

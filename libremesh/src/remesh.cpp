@@ -91,7 +91,6 @@ std::vector<Component> components_of(const TriMesh& mesh) {
 constexpr double most_faces = 2e7;
 
 void check_that_target_fits(const TriMesh& mesh, double target) {
-  constexpr double widest_over_width = 2.0;  // of edges, over the mean width of a part
   double area = 0.0;
   for (const Component& component : components_of(mesh)) {
     area += component.area;
@@ -105,14 +104,13 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
                                  component.closed ? "a closed" : "an open", " part of area ",
                                  component.area, "; it can hold at most ", largest));
     }
-    // The mean width, or girth, of a needle: with much longer edges splits never come to an end.
-    const double width = component.area / component.box.sizes().maxCoeff();
-    if (target > widest_over_width * width) {
+    const double length = component.box.sizes().maxCoeff();
+    const double largest_along = longest_edge_along(component.area, length);
+    if (target > largest_along) {
       throw InvalidOption(concat("remesh: the part with face ", component.first_face, " is ",
-                                 component.box.sizes().maxCoeff(), " long and too narrow, ", width,
-                                 " on average, for edges of ", target,
+                                 length, " long and too narrow for edges of ", target,
                                  "; remove vertices that lie far off, or use edges of at most ",
-                                 widest_over_width * width));
+                                 largest_along));
     }
   }
   const double smallest = std::sqrt(area / most_faces / area_of_equilateral);

@@ -78,6 +78,18 @@ TEST_F(InspectCommand, FindsWhereASurfaceCrossesItself) {
   EXPECT_EQ(pairs["first"][0]["elements"][1], 4);
 }
 
+TEST_F(InspectCommand, NamesPointsFarOff) {
+  succeed("shape sphere s.off --edge 0.3");
+  write("far.off", shell("awk 'NR == 10 { $3 = 1e11 } { print }' s.off").out);
+  const Outcome inspected = trivalent("inspect far.off --json --atoms 500");
+  EXPECT_EQ(inspected.exit_code, 1);
+  const auto far = problem(inspected.json(), "point far off");
+  EXPECT_EQ(far["count"], 1);
+  EXPECT_EQ(far["first"][0]["elements"], std::vector{7});
+  EXPECT_NE(inspected.json()["build"]["obstacles"].dump().find("too narrow"), std::string::npos);
+  expect_failure(1, "remove points that lie far off", "build far.off -o out --atoms 500");
+}
+
 TEST_F(InspectCommand, TakesPoints) {
   write("a.xyz", tetrahedron_points);
   const Outcome run = trivalent("inspect a.xyz --json");

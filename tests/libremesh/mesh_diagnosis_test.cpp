@@ -54,6 +54,14 @@ TEST(Diagnose, FindsIsolatedPoints) {
   EXPECT_EQ(place.position, Eigen::Vector3d(7, 8, 9));
 }
 
+TEST(Diagnose, FindsPointsFarOff) {
+  TriangleSoup soup = soup_of(triangular_sheet(3, 2));
+  soup.points[5].z() = 50.0;
+  EXPECT_TRUE(diagnose(soup).findings.empty());
+  soup.points[5].z() = 1e11;
+  EXPECT_EQ(only_place(diagnose(soup), Problem::far_point).elements, std::vector{5});
+}
+
 TEST(Diagnose, FindsCoincidentPoints) {
   // Two triangles that touch along an edge without sharing its points.
   const TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},

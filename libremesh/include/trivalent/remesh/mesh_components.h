@@ -25,6 +25,11 @@ struct MeshComponent {
 /// faces of an icosahedron, an open one for 2. In the mesh's unit.
 [[nodiscard]] double longest_edge_for(double area, bool is_closed);
 
+/// The longest edges that a part of this area and length can be made of: twice its mean width, or
+/// girth. With longer ones a net on a needle, such as one vertex that lies far off makes, would be
+/// split without end.
+[[nodiscard]] double longest_edge_along(double area, double length);
+
 /// All connected parts of a surface, in the order of their first faces.
 struct MeshComponents {
   std::vector<MeshComponent> parts;

@@ -17,6 +17,7 @@ enum class Problem {
   crowded_edge,      ///< shared by more than two faces
   misoriented_edge,  ///< both its faces run the same way along it
   pinched_vertex,    ///< where more than one fan of faces meets
+  far_point,         ///< 100 times as far from the middle as half of the points are
   crossing_faces,    ///< two that meet elsewhere than in what they share
 };
 
