@@ -1,7 +1,6 @@
 #include "build_plan.h"
 
 #include "free_memory.h"
-#include "trivalent/remesh/mesh_components.h"
 
 namespace trivalent::apps {
 namespace {
@@ -79,7 +78,11 @@ void find_obstacles(const remesh::MeshComponents& components, BuildPlan& plan) {
 }  // namespace
 
 BuildPlan plan_build(const remesh::TriMesh& mesh, const dual::ShellOptions& options) {
-  const remesh::MeshComponents components = remesh::find_components(mesh);
+  return plan_build(mesh, remesh::find_components(mesh), options);
+}
+
+BuildPlan plan_build(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
+                     const dual::ShellOptions& options) {
   BuildPlan plan;
   plan.shell = dual::estimate_shell(mesh, options);
   plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()));

@@ -6,6 +6,7 @@
 
 #include "reports.h"
 #include "trivalent/dual/build_shell.h"
+#include "trivalent/remesh/mesh_components.h"
 
 namespace trivalent::apps {
 
@@ -23,6 +24,10 @@ struct BuildPlan {
 
 /// @throws dual::InvalidOption, dual::InvalidNetwork as estimate_shell.
 [[nodiscard]] BuildPlan plan_build(const remesh::TriMesh& mesh, const dual::ShellOptions& options);
+/// The same, if the components of the mesh are known already.
+[[nodiscard]] BuildPlan plan_build(const remesh::TriMesh& mesh,
+                                   const remesh::MeshComponents& components,
+                                   const dual::ShellOptions& options);
 
 [[nodiscard]] Json plan_json(const BuildPlan& plan);
 [[nodiscard]] std::vector<TableRow> plan_rows(const BuildPlan& plan);

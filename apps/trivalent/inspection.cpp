@@ -29,7 +29,7 @@ void measure(const dual::ShellOptions& options, Inspection& result) {
   result.quality = remesh::measure_quality(mesh);
   result.components = remesh::find_components(mesh);
   result.features = remesh::find_feature_lines(mesh, feature_degrees * std::numbers::pi / 180.0);
-  result.plan = plan_build(mesh, options);
+  result.plan = plan_build(mesh, result.components, options);
   result.tight_fraction = remesh::tightly_curved_fraction(
       mesh, smallest_radius * options.bond / result.plan->shell.scale);
 }

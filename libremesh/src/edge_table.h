@@ -49,6 +49,39 @@ struct EdgeUse {
   return uses;
 }
 
+/// For every triangle whether an earlier one has the same corners, in whatever order.
+[[nodiscard]] inline std::vector<char> repeated_faces(
+    std::span<const std::array<int, 3>> triangles) {
+  const auto sorted = [](std::array<int, 3> corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  // Only those in a bucket with the same lowest corner are compared.
+  std::vector<std::size_t> ends(1, 0);
+  for (const auto& triangle : triangles) {
+    const std::size_t bucket = static_cast<std::size_t>(sorted(triangle)[0]) + 1;
+    if (bucket >= ends.size()) ends.resize(std::max(bucket + 1, 2 * ends.size()), 0);
+    ++ends[bucket];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::array<int, 3>> uses(triangles.size());  // the other corners, and the face
+  std::vector<std::size_t> next(ends);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const auto [low, middle, high] = sorted(triangles[f]);
+    uses[next[static_cast<std::size_t>(low)]++] = {middle, high, static_cast<int>(f)};
+  }
+  std::vector<char> is_repeated(triangles.size(), 0);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const auto bucket = std::span(uses).subspan(ends[i - 1], ends[i] - ends[i - 1]);
+    std::sort(bucket.begin(), bucket.end());
+    for (std::size_t k = 1; k < bucket.size(); ++k) {
+      if (bucket[k][0] != bucket[k - 1][0] || bucket[k][1] != bucket[k - 1][1]) continue;
+      is_repeated[static_cast<std::size_t>(bucket[k][2])] = 1;
+    }
+  }
+  return is_repeated;
+}
+
 /// Calls visit(span of uses) for every edge.
 template <typename Visit>
 void for_each_edge(std::span<const EdgeUse> uses, const Visit& visit) {

@@ -8,8 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "trivalent/remesh/polygon_soup.h"
-
 namespace trivalent::remesh {
 
 namespace {
@@ -46,27 +44,24 @@ std::array<Eigen::Vector3d, 3> corners_of(const TriMesh& mesh, FaceHandle face) 
   return corners;
 }
 
-MeshComponent measure(const TriMesh& mesh, std::span<const FaceHandle> faces) {
+/// @param is_counted  Of every vertex; those of other components may be.
+MeshComponent measure(const TriMesh& mesh, std::span<const FaceHandle> faces,
+                      std::vector<char>& is_counted) {
   MeshComponent part;
-  std::vector<VertexHandle> vertices;
   const Eigen::Vector3d origin = corners_of(mesh, faces.front())[0];
+  part.box = {origin, origin};
   for (const FaceHandle face : faces) {
     const auto [a, b, c] = corners_of(mesh, face);
     part.area += 0.5 * (b - a).cross(c - a).norm();
     part.volume += (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
+    part.box.low = part.box.low.cwiseMin(a).cwiseMin(b).cwiseMin(c);
+    part.box.high = part.box.high.cwiseMax(a).cwiseMax(b).cwiseMax(c);
     for (const auto h : mesh.fh_range(face)) {
-      vertices.push_back(h.to());
+      if (std::exchange(is_counted[index(h.to())], 1) == 0) ++part.vertices;
       if (!h.opp().is_boundary()) continue;
       ++part.boundary_edges;
     }
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(vertices.size());
-  for (const VertexHandle v : vertices) points.push_back(mesh.point(v));
-  part.box = bounding_box(points);
-  part.vertices = static_cast<int>(vertices.size());
   part.faces = static_cast<int>(faces.size());
   part.edges = (3 * part.faces + part.boundary_edges) / 2;
   if (!part.is_closed()) part.volume = 0.0;
@@ -133,12 +128,13 @@ MeshComponents find_components(const TriMesh& mesh) {
   const FacesByComponent walk = walk_over_components(mesh);
   MeshComponents components;
   components.of_face.resize(mesh.n_faces());
+  std::vector<char> is_counted(mesh.n_vertices(), 0);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < walk.ends.size(); ++i) {
     const auto faces = std::span(walk.faces).subspan(begin, walk.ends[i] - begin);
     for (const FaceHandle f : faces)
       components.of_face[static_cast<std::size_t>(f.idx())] = static_cast<int>(i);
-    components.parts.push_back(measure(mesh, faces));
+    components.parts.push_back(measure(mesh, faces, is_counted));
     begin = walk.ends[i];
   }
   find_nesting(mesh, walk, components.parts);

@@ -96,26 +96,14 @@ class Diagnosis {
   }
 
   void check_faces() {
-    std::vector<std::pair<std::array<int, 3>, int>> by_corners;
-    by_corners.reserve(soup_.triangles.size());
+    const std::vector<char> is_repeated = repeated_faces(soup_.triangles);
     for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
       const int index = static_cast<int>(f);
-      std::array<int, 3> corners = soup_.triangles[f];
-      const auto [a, b, c] = corners;
+      const auto [a, b, c] = soup_.triangles[f];
       if ((point(b) - point(a)).cross(point(c) - point(a)).isZero(0.0)) {
         report(Problem::flat_face, {index}, a);
       }
-      std::sort(corners.begin(), corners.end());
-      by_corners.emplace_back(corners, index);
-    }
-    std::sort(by_corners.begin(), by_corners.end());
-    std::vector<int> repeated;
-    for (std::size_t i = 1; i < by_corners.size(); ++i) {
-      if (by_corners[i].first == by_corners[i - 1].first) repeated.push_back(by_corners[i].second);
-    }
-    std::sort(repeated.begin(), repeated.end());
-    for (const int f : repeated) {
-      report(Problem::repeated_face, {f}, soup_.triangles[static_cast<std::size_t>(f)][0]);
+      if (is_repeated[f] != 0) report(Problem::repeated_face, {index}, a);
     }
   }
 

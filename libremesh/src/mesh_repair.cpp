@@ -146,11 +146,16 @@ RepairResult build(TriangleSoup soup) {
   return {make_mesh(soup.points, soup.triangles), std::move(soup.notes), 0.0};
 }
 
-RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
-  if (soup.triangles.empty() && !soup.points.empty()) {
-    throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
-                             " but no faces; wrap them (repair method wrap)"));
-  }
+/// Whether nothing but the positions of points may be wrong.
+bool is_clean(const TriangleSoup& soup) {
+  const MeshDiagnosis diagnosis = diagnose(soup);
+  return std::ranges::all_of(diagnosis.findings, [](const Finding& finding) {
+    return finding.problem == Problem::far_point;
+  });
+}
+
+/// Makes an oriented surface of the faces.
+void mend_faces(TriangleSoup& soup) {
   std::vector<std::string>& notes = soup.notes;
   const std::size_t faces = soup.triangles.size();
   note(notes, "joined", join_coincident_points(soup), "coincident point");
@@ -163,10 +168,20 @@ RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
                              "method wrap)"));
   }
   note(notes, "split points where surfaces meet: added", separate_fans(soup), "point");
+}
+
+RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
+  if (soup.triangles.empty() && !soup.points.empty()) {
+    throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
+                             " but no faces; wrap them (repair method wrap)"));
+  }
+  const bool was_clean = is_clean(soup);
+  if (!was_clean) mend_faces(soup);
+  std::vector<std::string>& notes = soup.notes;
   if (options.components == ComponentPolicy::keep_largest) keep_largest_component(soup, notes);
   turn_inside_out_components(soup, notes);
   note(notes, "dropped", drop_isolated_points(soup), "isolated point");
-  if (!diagnose(soup).is_oriented_manifold()) {
+  if (!was_clean && !diagnose(soup).is_oriented_manifold()) {
     throw InvalidMesh(
         "repair: faces are left that form no oriented surface; wrap it (repair method wrap)");
   }

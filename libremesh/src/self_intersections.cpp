@@ -3,10 +3,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,8 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
 /// Candidates are tested by many threads, so many at a time.
 constexpr std::size_t batch_size = 1 << 20;
+
+constexpr auto most_crossings = static_cast<std::size_t>(most_crossing_pairs);
 
 /// Thrown out of CGAL's search, which has no other end than the last pair.
 struct EnoughFound {};
@@ -133,31 +138,96 @@ CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& ca
       });
 }
 
+/// Boxes that reach into a slab of space; those that reach into several are in each.
+struct Slab {
+  double begin = -std::numeric_limits<double>::infinity();  ///< along the axis
+  double end = std::numeric_limits<double>::infinity();
+  std::vector<Box> boxes;
+};
+
+int longest_axis(const std::vector<Box>& boxes) {
+  CGAL::Bbox_3 around;
+  for (const Box& box : boxes) around += box.bbox();
+  const std::array sides = {around.xmax() - around.xmin(), around.ymax() - around.ymin(),
+                            around.zmax() - around.zmin()};
+  return static_cast<int>(std::ranges::max_element(sides) - sides.begin());
+}
+
+/// Slabs across an axis with about as many boxes each: searches in them keep to the processor's
+/// cache, and to their thread. A surface of n faces is about √n wide, so that few reach into
+/// several; if many do, all are put into one.
+std::vector<Slab> slabs_of(std::vector<Box> boxes, int axis) {
+  constexpr std::size_t fewest_boxes = 1 << 13;
+  constexpr double fewest_across = 16.0;  // boxes across a slab
+  const auto count = std::min(
+      boxes.size() / fewest_boxes,
+      static_cast<std::size_t>(std::sqrt(static_cast<double>(boxes.size())) / fewest_across));
+  std::vector<Slab> slabs(std::max<std::size_t>(count, 1));
+  std::vector<double> lows;
+  lows.reserve(boxes.size());
+  for (const Box& box : boxes) lows.push_back(box.min_coord(axis));
+  std::ranges::sort(lows);
+  for (std::size_t i = 1; i < slabs.size(); ++i) {
+    slabs[i].begin = slabs[i - 1].end = lows[i * lows.size() / slabs.size()];
+  }
+  std::size_t total = 0;
+  for (const Box& box : boxes) {
+    const auto is_before = [&](const Slab& slab) { return slab.end <= box.min_coord(axis); };
+    auto slab = std::partition_point(slabs.begin(), slabs.end(), is_before);
+    for (; slab != slabs.end() && slab->begin <= box.max_coord(axis); ++slab) {
+      slab->boxes.push_back(box);
+      ++total;
+    }
+    if (total > 2 * boxes.size()) return {{.boxes = std::move(boxes)}};
+  }
+  return slabs;
+}
+
+/// Crossings of boxes in a slab, at most most_crossing_pairs. A pair counts where the later of the
+/// two begins, so that it counts once.
+CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::size_t most_places) {
+  std::vector<FacePair> candidates;
+  CrossingFaces found;
+  const auto test_batch = [&] {
+    found = merged(std::move(found), test(meet, candidates, most_places), most_places);
+    candidates.clear();
+    if (found.count >= most_crossings) throw EnoughFound();
+  };
+  try {
+    CGAL::box_self_intersection_d(
+        slab.boxes.begin(), slab.boxes.end(), [&](const Box& a, const Box& b) {
+          const double begin = std::max(a.min_coord(axis), b.min_coord(axis));
+          if (begin < slab.begin || begin >= slab.end) return;
+          candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+          if (candidates.size() == batch_size) test_batch();
+        });
+    test_batch();
+  } catch (const EnoughFound&) {
+    found.count = most_crossings;
+  }
+  return found;
+}
+
 }  // namespace
 
 CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
                                   std::span<const std::array<int, 3>> triangles,
                                   std::size_t most_places) {
+  constexpr std::size_t at_a_time = 16;  // slabs, whatever the number of threads
   const IntersectionTest meet(points, triangles);
   std::vector<Box> boxes = meet.boxes();
-  std::vector<FacePair> candidates;
-  candidates.reserve(batch_size);
+  const int axis = longest_axis(boxes);
+  std::vector<Slab> slabs = slabs_of(std::move(boxes), axis);
   CrossingFaces found;
-  constexpr auto enough = static_cast<std::size_t>(most_crossing_pairs);
-  const auto test_batch = [&] {
-    found = merged(std::move(found), test(meet, candidates, most_places), most_places);
-    candidates.clear();
-    if (found.count >= enough) throw EnoughFound();
-  };
-  try {
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
-      if (candidates.size() == batch_size) test_batch();
+  for (std::size_t begin = 0; begin < slabs.size() && found.count < most_crossings;
+       begin += at_a_time) {
+    std::vector<CrossingFaces> found_in(std::min(at_a_time, slabs.size() - begin));
+    tbb::parallel_for(std::size_t{0}, found_in.size(), [&](std::size_t i) {
+      found_in[i] = search(std::move(slabs[begin + i]), axis, meet, most_places);
     });
-    test_batch();
-  } catch (const EnoughFound&) {
-    found.count = enough;
+    for (const CrossingFaces& more : found_in) found = merged(std::move(found), more, most_places);
   }
+  found.count = std::min(found.count, most_crossings);
   return found;
 }
 

@@ -172,17 +172,7 @@ std::size_t join_coincident_points(TriangleSoup& soup) {
 }
 
 std::size_t drop_repeated_faces(TriangleSoup& soup) {
-  std::vector<std::pair<Triangle, std::size_t>> by_corners;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
-    Triangle corners = soup.triangles[f];
-    std::sort(corners.begin(), corners.end());
-    by_corners.emplace_back(corners, f);
-  }
-  std::sort(by_corners.begin(), by_corners.end());
-  std::vector<char> is_repeated(soup.triangles.size(), 0);
-  for (std::size_t i = 1; i < by_corners.size(); ++i) {
-    if (by_corners[i].first == by_corners[i - 1].first) is_repeated[by_corners[i].second] = 1;
-  }
+  const std::vector<char> is_repeated = repeated_faces(soup.triangles);
   std::size_t face = 0;
   return std::erase_if(soup.triangles, [&](const Triangle&) { return is_repeated[face++] != 0; });
 }

@@ -11,6 +11,7 @@
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
 namespace {
@@ -202,6 +203,25 @@ TEST(Diagnose, SaysWhatMakeMeshWillRefuse) {
     EXPECT_EQ(diagnose(soup).is_oriented_manifold(), accepted) << path;
   }
   EXPECT_GT(refused, 0);
+}
+
+TEST(FindCrossingFaces, FindsTheSameHoweverSpaceIsCut) {
+  const TriangleSoup sphere = soup_of(make_shape("sphere", {}, 0.03));
+  TriangleSoup two = sphere;  // large enough for several slabs, across the longest side
+  const auto n = static_cast<int>(sphere.points.size());
+  for (const Eigen::Vector3d& p : sphere.points) two.points.emplace_back(p.x() + 1.0, p.y(), p.z());
+  for (const auto& [a, b, c] : sphere.triangles) two.triangles.push_back({a + n, b + n, c + n});
+  const Finding found = find_crossing_faces(two);
+  EXPECT_GT(found.count, 200u);
+  for (const int axis : {1, 2}) {
+    TriangleSoup stretched = two;
+    for (Eigen::Vector3d& p : stretched.points) p[axis] *= 4.0;  // without rounding
+    const Finding again = find_crossing_faces(stretched);
+    EXPECT_EQ(again.count, found.count);
+    for (std::size_t i = 0; i < found.first.size(); ++i) {
+      EXPECT_EQ(again.first[i].elements, found.first[i].elements);
+    }
+  }
 }
 
 }  // namespace
