@@ -54,7 +54,7 @@ Grammar grammar_of_build() {
   add_file_options(files);
   grammar.options.add(mending).add(remeshing).add(files);
   grammar.epilog =
-      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, or points in XYZ; - is standard input) or a\n"
+      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input) or a\n"
       "built-in shape.\n"
       "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply, energy.vtp,\n"
       "report.json and report.html (open it in a browser).\n\n" +

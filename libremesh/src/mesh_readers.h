@@ -17,6 +17,7 @@ namespace trivalent::remesh {
 [[nodiscard]] PolygonSoup read_ply(const Source& source);
 [[nodiscard]] PolygonSoup read_text_stl(const Source& source);
 [[nodiscard]] PolygonSoup read_binary_stl(const Source& source);
+[[nodiscard]] PolygonSoup read_vtp(const Source& source);
 /// One point per line: three coordinates and whatever follows them.
 [[nodiscard]] PolygonSoup read_points(const Source& source);
 

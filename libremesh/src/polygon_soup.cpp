@@ -86,7 +86,7 @@ std::string unpack(const Source& source) {
 
 // ---- kind of file ------------------------------------------------------------------------------
 
-enum class Kind { off, obj, ply, text_stl, binary_stl, points };
+enum class Kind { off, obj, ply, text_stl, binary_stl, vtp, points };
 
 std::string name_of(Kind kind) {
   switch (kind) {
@@ -99,6 +99,8 @@ std::string name_of(Kind kind) {
     case Kind::text_stl:
     case Kind::binary_stl:
       return "STL";
+    case Kind::vtp:
+      return "VTP";
     case Kind::points:
       return "points";
   }
@@ -118,9 +120,11 @@ bool is_text_stl(const Source& source) {
 
 /// What the bytes say they are; none for OBJ and points, which have no mark.
 std::optional<Kind> kind_by_mark(const Source& source) {
+  constexpr std::size_t longest_xml_head = 1000;
   const std::string_view bytes = source.bytes;
   if (declared_stl_size(bytes) == bytes.size() && !bytes.empty()) return Kind::binary_stl;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
+  if (bytes.substr(0, longest_xml_head).find("<VTKFile") != bytes.npos) return Kind::vtp;
   if (is_text_stl(source)) return Kind::text_stl;
   if (is_off_keyword(TextScanner(source, Continuation::none).word_across_lines())) return Kind::off;
   return std::nullopt;
@@ -140,6 +144,7 @@ std::optional<Kind> kind_by_extension(const Source& source) {
   if (extension == ".ply") return Kind::ply;
   // Binary unless its content said otherwise.
   if (extension == ".stl") return Kind::binary_stl;
+  if (extension == ".vtp") return Kind::vtp;
   if (extension == ".xyz" || extension == ".pwn") return Kind::points;
   return std::nullopt;
 }
@@ -159,9 +164,10 @@ Kind kind_of(const Source& source, std::optional<Kind> expected) {
   if (const auto kind = kind_by_mark(source)) return *kind;
   if (expected) return *expected;
   if (const auto kind = kind_by_first_word(source)) return *kind;
-  fail(source, concat("neither its extension '", extension_of(source),
-                      "' nor its content is known; known are .off, .obj, .ply, .stl, and .xyz for "
-                      "points, each also with .gz"));
+  fail(source,
+       concat("neither its extension '", extension_of(source),
+              "' nor its content is known; known are .off, .obj, .ply, .stl, .vtp, and .xyz for "
+              "points, each also with .gz"));
 }
 
 PolygonSoup read_kind(const Source& source, Kind kind) {
@@ -174,6 +180,8 @@ PolygonSoup read_kind(const Source& source, Kind kind) {
       return read_ply(source);
     case Kind::text_stl:
       return read_text_stl(source);
+    case Kind::vtp:
+      return read_vtp(source);
     case Kind::points:
       return read_points(source);
     case Kind::binary_stl:

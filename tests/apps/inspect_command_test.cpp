@@ -99,6 +99,28 @@ TEST_F(InspectCommand, TakesPoints) {
   EXPECT_EQ(trivalent("inspect a.xyz --repair wrap").exit_code, 1);
 }
 
+#ifdef TRIVALENT_VTK_WRITER
+TEST_F(InspectCommand, ReadsWhatVtkWrites) {
+  succeed("shape torus t.ply --edge 0.3");
+  auto expected = succeed("inspect t.ply --json").json();
+  ASSERT_EQ(shell("mkdir vtp && " TRIVALENT_VTK_WRITER " t.ply vtp").exit_code, 0);
+  int files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder() / "vtp")) {
+    const std::string name = "vtp/" + file.path().filename().string();
+    auto found = succeed("inspect " + name + " --json").json();
+    for (const char* part : {"points", "faces", "components", "boundary", "problems"}) {
+      EXPECT_EQ(found[part], expected[part]) << name << ' ' << part;
+    }
+    // VTK keeps 32 bits of every coordinate.
+    EXPECT_NEAR(found["parts"][0]["volume"].get<double>(),
+                expected["parts"][0]["volume"].get<double>(), 1e-5)
+        << name;
+    ++files;
+  }
+  EXPECT_EQ(files, 64);
+}
+#endif
+
 TEST_F(InspectCommand, ReadsStandardInput) {
   write("a.off", tetrahedron);
   const Outcome run = shell("(cat a.off | " TRIVALENT_PROGRAM " inspect - --atoms 20)");

@@ -22,6 +22,13 @@ SEEDS = {
             'ply\nformat binary_little_endian 1.0\n' + PLY.format('short', 'uchar', 'ushort')
             + '\0\0\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0\3\0\0\1\0\2\0'],
     'stl': ['solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n'],
+    'vtp': ['<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1"><Points><DataArray type="Float32">'
+            '0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray Name="connectivity">0 1 2</DataArray>'
+            '<DataArray Name="offsets">3</DataArray></Polys></Piece></PolyData></VTKFile>',
+            '<VTKFile type="PolyData" compressor="vtkZLibDataCompressor"><PolyData><Piece NumberOfPoints="1" NumberOfStrips="1"><Points>'
+            '<DataArray type="UInt8" format="binary">AQAAAAMAAAADAAAACwAAAA==eJxjZGIGAAANAAc=</DataArray></Points><Strips><DataArray '
+            'type="Int64" Name="connectivity" format="appended" offset="0"/><DataArray Name="offsets" format="appended" offset="8"/>'
+            '</Strips></Piece></PolyData><AppendedData encoding="raw">_\0\0\0\0\4\0\0\0\1\0\0\0</AppendedData></VTKFile>'],
     'xyz': ['2\n0 0 0 0 0 1\n1 0 0 0 0 1 # last\n'],
     'atoms': ['2\nenergy=1 pbc="F F F"\nC 0 0 0\nH 0 0 1.1\n'],
     'options': ['sphere:radius=2\n--method\npaper\n--rings\n1\n--sigma=0.4\n', '--method\ncrystal\n-\n--effort=quick\n--seed=3\n--json\n',

@@ -14,7 +14,7 @@ struct MeshFile {
   std::vector<std::string> notes;  ///< one sentence per kind of change, e.g. "split 12 quads"
 };
 
-/// Reads OFF, OBJ, PLY or STL, text or binary, also gzipped.
+/// Reads OFF, OBJ, PLY, STL or VTP, text or binary, also gzipped.
 ///
 /// The content decides where it disagrees with the extension, or there is none (/dev/stdin).
 /// Polygons are split into triangles, corners of STL files welded where their coordinates are
