@@ -110,9 +110,7 @@ class VtpReader {
     bool is_base64 = false;
   };
 
-  [[noreturn]] void fail(std::string_view problem) const {
-    remesh::fail(source_, problem);
-  }
+  [[noreturn]] void fail(std::string_view problem) const { remesh::fail(source_, problem); }
   [[noreturn]] void fail_in(const pugi::xml_node& array, std::string_view problem) const {
     fail(concat("array ", in_quotes(array.attribute("Name").value()), " in ", array.parent().name(),
                 " of piece ", pieces_, " (counted from 0): ", problem));
@@ -136,8 +134,9 @@ class VtpReader {
       fail(concat("no sound XML near byte ", result.offset, ": ", result.description(),
                   "; is it cut short?"));
     }
-    appended_.is_base64 = document_.child("VTKFile").child("AppendedData").attribute("encoding").value() ==
-                          std::string_view("base64");
+    appended_.is_base64 =
+        document_.child("VTKFile").child("AppendedData").attribute("encoding").value() ==
+        std::string_view("base64");
   }
 
   // ---- arrays ----------------------------------------------------------------------------------
@@ -164,7 +163,8 @@ class VtpReader {
         const bool is_padding = stream.rest[at] == '=' && k > 1;
         const auto value = is_padding ? 0 : base64_value(stream.rest[at]);
         if (!value) {
-          fail_in(array, concat(in_quotes(stream.rest.substr(at, 1)), " is no character of base64"));
+          fail_in(array,
+                  concat(in_quotes(stream.rest.substr(at, 1)), " is no character of base64"));
         }
         bits = bits << 6 | *value;
       }
@@ -215,9 +215,9 @@ class VtpReader {
       const std::size_t before = bytes.size();
       bytes.resize(before + to);
       auto length = static_cast<uLongf>(to);
-      const int status = uncompress(reinterpret_cast<Bytef*>(bytes.data() + before), &length,
-                                    reinterpret_cast<const Bytef*>(packed.data() + at),
-                                    static_cast<uLong>(from));
+      const int status =
+          uncompress(reinterpret_cast<Bytef*>(bytes.data() + before), &length,
+                     reinterpret_cast<const Bytef*>(packed.data() + at), static_cast<uLong>(from));
       if (status != Z_OK || length != to) {
         fail_in(array, concat("block ", i, " of its packed data is damaged"));
       }
@@ -248,7 +248,8 @@ class VtpReader {
       const auto end = std::find_if(rest.begin(), rest.end(), is_space);
       const std::string_view word(rest.begin(), end);
       const auto value = parse_number(word);
-      if (!value) fail_in(array, concat("value ", values.size(), " is ", in_quotes(word), ", not a number"));
+      if (!value)
+        fail_in(array, concat("value ", values.size(), " is ", in_quotes(word), ", not a number"));
       values.push_back(*value);
       rest.remove_prefix(word.size());
     }
@@ -258,7 +259,8 @@ class VtpReader {
     const std::string_view format = array.attribute("format").as_string("ascii");
     if (format == "ascii") return numbers_of_text(array);
     if (format != "binary" && format != "appended") {
-      fail_in(array, concat("its format is ", in_quotes(format), ", not ascii, binary or appended"));
+      fail_in(array,
+              concat("its format is ", in_quotes(format), ", not ascii, binary or appended"));
     }
     const std::string_view type_name = array.attribute("type").value();
     const auto* type = std::ranges::find(number_types, type_name, &NumberType::name);
@@ -340,8 +342,7 @@ class VtpReader {
     const pugi::xml_node cells = piece.child(kind);
     const pugi::xml_node array = cells.find_child_by_attribute("Name", "connectivity");
     const std::vector<double> connectivity = values_of(array);
-    const std::vector<double> offsets =
-        values_of(cells.find_child_by_attribute("Name", "offsets"));
+    const std::vector<double> offsets = values_of(cells.find_child_by_attribute("Name", "offsets"));
     if (offsets.size() != count) {
       fail(concat("piece ", pieces_, " (counted from 0) declares ", count, ' ', kind,
                   ", but holds ", offsets.size()));
@@ -359,8 +360,8 @@ class VtpReader {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
         const double v = connectivity[k];
         if (!(v >= 0.0 && v < static_cast<double>(points)) || v != std::floor(v)) {
-          fail_in(array, concat("face ", i, " refers to vertex ", v, " of ", points,
-                                " (counted from 0)"));
+          fail_in(array,
+                  concat("face ", i, " refers to vertex ", v, " of ", points, " (counted from 0)"));
         }
         corners.push_back(static_cast<int>(v));
       }

@@ -52,6 +52,24 @@ TEST_F(BuildCommand, RelaxesTheShellUnlessToldNotTo) {
   EXPECT_NEAR(report("raw")["network"]["bond_length"]["mean"].get<double>(), 1.42, 1e-9);
 }
 
+TEST_F(BuildCommand, MakesTheSameOnAnyNumberOfThreads) {
+  // The report tells the threads and the seconds, and so does its page.
+  const auto build_on = [this](const std::string& threads, const std::string& options) {
+    succeed("build torus -o " + threads + " --atoms 2000 --threads " + threads + options);
+    auto result = report(threads);
+    for (const char* of_the_run : {"options", "seconds"}) result.erase(of_the_run);
+    return result;
+  };
+  for (const std::string options : {" --effort quick", " --method paper"}) {
+    const auto one = build_on("1", options);
+    for (const std::string threads : {"2", "7"}) {
+      EXPECT_EQ(build_on(threads, options), one) << threads << options;
+      EXPECT_EQ(shell("diff -r -x report.json -x report.html 1 " + threads).out, "");
+    }
+    ASSERT_EQ(shell("rm -r 1 2 7").exit_code, 0);
+  }
+}
+
 TEST_F(BuildCommand, RelaxesCappedEdgesToo) {
   succeed("build wavy-sheet -o out --atoms 300 --cap hydrogen");
   EXPECT_TRUE(report("out")["relaxation"]["converged"].get<bool>());

@@ -61,8 +61,7 @@ TEST(ReadVtp, KnowsItsFilesByTheirContent) {
 
 TEST(ReadVtp, CutsStripsIntoTriangles) {
   // The second as 2 1 3, which runs the same way as 1 3 2.
-  EXPECT_EQ(parse(file(piece("NumberOfStrips=\"1\""))).corners,
-            (std::vector{0, 1, 2, 2, 1, 3}));
+  EXPECT_EQ(parse(file(piece("NumberOfStrips=\"1\""))).corners, (std::vector{0, 1, 2, 2, 1, 3}));
 }
 
 TEST(ReadVtp, JoinsPieces) {
