@@ -11,7 +11,6 @@
 #include <new>
 #include <optional>
 #include <system_error>
-#include <unordered_map>
 
 #include "mesh_readers.h"
 #include "trivalent/remesh/error.h"
@@ -214,36 +213,71 @@ std::string counted(std::size_t count, std::string_view thing) {
   return concat(count, ' ', thing, count == 1 ? "" : "s");
 }
 
-void weld_points(PolygonSoup& soup) {
-  struct HashOfBits {
-    std::size_t operator()(const std::array<double, 3>& p) const {
-      std::uint64_t hash = 0;
-      for (const double x : p) {
-        // The multiplier of [Steele2014]'s SplitMix64, which spreads every bit over the word.
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9U;
-        hash ^= hash >> 32;
-      }
-      return hash;
+namespace {
+
+/// Numbers places in the order of their first points. Open addressing: with millions of points a
+/// node for each takes most of the reading.
+class PlaceTable {
+ public:
+  int number_of(const Eigen::Vector3d& p) {
+    if (2 * places_.size() >= slots_.size()) grow();
+    int& slot = slot_of(p);
+    if (slot == empty) {
+      slot = static_cast<int>(places_.size());
+      places_.push_back(p);
     }
-  };
-  std::unordered_map<std::array<double, 3>, int, HashOfBits> index_of;
-  index_of.reserve(soup.points.size() / 5);
-  std::vector<Eigen::Vector3d> welded;
+    return slot;
+  }
+  [[nodiscard]] std::vector<Eigen::Vector3d> take() { return std::move(places_); }
+
+ private:
+  static constexpr int empty = -1;
+
+  static std::uint64_t hash(const Eigen::Vector3d& p) {
+    std::uint64_t hash = 0;
+    for (const double x : p) {
+      // The multiplier of [Steele2014]'s SplitMix64, which spreads every bit over the word.
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9U;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+
+  /// That of the place, or the empty one where it belongs.
+  int& slot_of(const Eigen::Vector3d& p) {
+    std::size_t i = hash(p) & (slots_.size() - 1);
+    while (slots_[i] != empty && places_[static_cast<std::size_t>(slots_[i])] != p) {
+      i = (i + 1) & (slots_.size() - 1);
+    }
+    return slots_[i];
+  }
+
+  void grow() {
+    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), empty);
+    for (std::size_t i = 0; i < places_.size(); ++i) slot_of(places_[i]) = static_cast<int>(i);
+  }
+
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<int> slots_;  // a power of two
+};
+
+}  // namespace
+
+void weld_points(PolygonSoup& soup) {
+  PlaceTable table;
   std::vector<int> new_index;
   new_index.reserve(soup.points.size());
+  // + 0.0 turns -0.0 into 0.0.
   for (const Eigen::Vector3d& p : soup.points) {
-    // + 0.0 turns -0.0 into 0.0.
-    const std::array<double, 3> key = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-    const auto [found, is_new] = index_of.try_emplace(key, static_cast<int>(welded.size()));
-    if (is_new) welded.emplace_back(key[0], key[1], key[2]);
-    new_index.push_back(found->second);
+    new_index.push_back(table.number_of(p + Eigen::Vector3d::Zero()));
   }
-  if (!soup.points.empty()) {
-    soup.notes.push_back(concat("welded ", counted(soup.points.size(), "corner"), " into ",
-                                welded.size(), " vertices"));
+  const std::size_t corners = soup.points.size();
+  soup.points = table.take();
+  if (corners > 0) {
+    soup.notes.push_back(
+        concat("welded ", counted(corners, "corner"), " into ", soup.points.size(), " vertices"));
   }
   for (int& v : soup.corners) v = new_index[static_cast<std::size_t>(v)];
-  soup.points = std::move(welded);
 }
 
 BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {
