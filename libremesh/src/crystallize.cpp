@@ -254,7 +254,9 @@ class Crystallization {
                   options_.effort == Effort::quick ? quick_closing_sweeps : closing_sweeps);
     straddle_surface(net.on_surface);
     settle_springs(net.on_surface, m, settling_sweeps);
-    if (crossings(net.mesh) > 0 && crossings(surface_) == 0) part_sheets(net.on_surface);
+    if (crossings(net.mesh) == 0) return;
+    unfold(net.on_surface);
+    if (crossings(surface_) == 0) part_sheets(net.on_surface);
   }
 
   /// The surface remeshed by the paper's loop.
