@@ -17,6 +17,22 @@ struct EdgeUse {
   bool upwards = false;  ///< whether the face runs from low to high
 };
 
+/// Where buckets end that hold one thing for each key that is visited; the bucket of key k begins
+/// where that of k - 1 ends.
+///
+/// @param visit_keys  Called with a function of a key >= 0, which it calls for every thing.
+template <typename VisitKeys>
+[[nodiscard]] std::vector<std::size_t> ends_of_buckets(const VisitKeys& visit_keys) {
+  std::vector<std::size_t> ends(1, 0);
+  visit_keys([&](int key) {
+    const std::size_t bucket = static_cast<std::size_t>(key) + 1;
+    if (bucket >= ends.size()) ends.resize(std::max(bucket + 1, 2 * ends.size()), 0);
+    ++ends[bucket];
+  });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  return ends;
+}
+
 /// All uses, those of one edge next to each other and by face. Indices must be >= 0.
 [[nodiscard]] inline std::vector<EdgeUse> edge_uses(std::span<const std::array<int, 3>> triangles) {
   const auto for_each_side = [&](const auto& visit) {
@@ -28,14 +44,9 @@ struct EdgeUse {
       }
     }
   };
-  // Counted into a bucket for each low point, each of which is small.
-  std::vector<std::size_t> ends(1, 0);
-  for_each_side([&](const EdgeUse& use) {
-    const std::size_t bucket = static_cast<std::size_t>(use.low) + 1;
-    if (bucket >= ends.size()) ends.resize(std::max(bucket + 1, 2 * ends.size()), 0);
-    ++ends[bucket];
-  });
-  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
+  // Sorted into a bucket for each low point, each of which is small.
+  const std::vector<std::size_t> ends = ends_of_buckets(
+      [&](const auto& add) { for_each_side([&](const EdgeUse& use) { add(use.low); }); });
   std::vector<EdgeUse> uses(3 * triangles.size());
   std::vector<std::size_t> next(ends);
   for_each_side([&](const EdgeUse& use) { uses[next[static_cast<std::size_t>(use.low)]++] = use; });
@@ -57,13 +68,9 @@ struct EdgeUse {
     return corners;
   };
   // Only those in a bucket with the same lowest corner are compared.
-  std::vector<std::size_t> ends(1, 0);
-  for (const auto& triangle : triangles) {
-    const std::size_t bucket = static_cast<std::size_t>(sorted(triangle)[0]) + 1;
-    if (bucket >= ends.size()) ends.resize(std::max(bucket + 1, 2 * ends.size()), 0);
-    ++ends[bucket];
-  }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  const std::vector<std::size_t> ends = ends_of_buckets([&](const auto& add) {
+    for (const auto& triangle : triangles) add(std::ranges::min(triangle));
+  });
   std::vector<std::array<int, 3>> uses(triangles.size());  // the other corners, and the face
   std::vector<std::size_t> next(ends);
   for (std::size_t f = 0; f < triangles.size(); ++f) {

@@ -31,20 +31,20 @@ struct CrystalOptions {
 /// curvature wants them: the ground state of a crystal of springs on the surface, searched for by
 /// simulated annealing [Kirkpatrick1983] of its defects.
 ///
-/// 1. The surface is remeshed by remesh(), at twice the target length if the surface is thick
-///    enough to be seen that coarsely.
+/// 1. The surface is remeshed by remesh(), at twice the target length if it is large enough; parts
+///    too thin to be seen that coarsely are inflated for the while.
 /// 2. Defects are annealed: a patch of the net around an irregular vertex is cut out; the flips
 ///    (glide), collapses and splits (climb) at that vertex are tried in it and relaxed, in random
 ///    order, until one is accepted by the rule of [Metropolis1953]. The energy is that of springs,
 ///    Σ (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain
 ///    by buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel. A
-///    net of twice the length is annealed twice (once if quick), and the better one goes on: which
-///    one it freezes in is partly luck.
+///    net of twice the length is annealed up to four times (once if it is large, or quick), and the
+///    best one goes on: which one it freezes in is partly luck.
 /// 3. Every face is divided into four, which keeps the defects as few; parts too thin for the
 ///    coarse net are mended: folds undone, tips reached, edges far from the target split or
-///    collapsed; and the net is annealed again, colder, at the target length. If it still crosses
-///    itself, the other net of step 2 is tried, and at last one annealed at the target length from
-///    the start; the one with the fewest crossings is taken.
+///    collapsed; and the net is annealed again, colder, at the target length; folds that are left
+///    are undone. If it still crosses itself, the other net of step 2 is tried, and at last one
+///    annealed at the target length from the start; the one with the fewest crossings is taken.
 ///
 /// Genus, orientation, boundaries and creases of the input are kept, as by remesh(). The result
 /// depends on the seed, not on the number of threads.

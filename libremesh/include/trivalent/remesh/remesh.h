@@ -49,6 +49,7 @@ struct RemeshResult {
 
 /// Remeshes a surface until all edges come close to one length, [Pecanha2013, Algorithm 1].
 ///
+/// Edges that end at a crease and are far longer than the target are halved first, on the surface.
 /// Every iteration splits long and collapses short edges by priority (Algorithms 2-3), corrects
 /// valences by flips (Algorithm 4), relaxes all vertices within their tangent planes (Eq. 1-4), and
 /// projects them onto the input surface. Genus, orientation and boundaries of the input are kept;
