@@ -37,7 +37,7 @@ void measure(const dual::ShellOptions& options, Inspection& result) {
 /// Sets the mesh, or the reason why there is none.
 void repair(const remesh::TriangleSoup& soup, const Session& session, Inspection& result) {
   try {
-    remesh::RepairResult repaired = remesh::repair(soup, repair_options(session));
+    remesh::RepairResult repaired = remesh::repair(soup, repair_options(session), result.diagnosis);
     result.mesh = std::move(repaired.mesh);
     result.repair_notes.assign(
         repaired.notes.begin() + static_cast<std::ptrdiff_t>(soup.notes.size()),

@@ -9,7 +9,6 @@
 #include "mesh_readers.h"
 #include "soup_repair.h"
 #include "trivalent/remesh/error.h"
-#include "trivalent/remesh/mesh_diagnosis.h"
 #include "wrap_surface.h"
 
 namespace trivalent::remesh {
@@ -147,8 +146,7 @@ RepairResult build(TriangleSoup soup) {
 }
 
 /// Whether nothing but the positions of points may be wrong.
-bool is_clean(const TriangleSoup& soup) {
-  const MeshDiagnosis diagnosis = diagnose(soup);
+bool is_clean(const MeshDiagnosis& diagnosis) {
   return std::ranges::all_of(diagnosis.findings, [](const Finding& finding) {
     return finding.problem == Problem::far_point;
   });
@@ -170,12 +168,12 @@ void mend_faces(TriangleSoup& soup) {
   note(notes, "split points where surfaces meet: added", separate_fans(soup), "point");
 }
 
-RepairResult mend(TriangleSoup soup, const RepairOptions& options) {
+RepairResult mend(TriangleSoup soup, const RepairOptions& options, const MeshDiagnosis& diagnosis) {
   if (soup.triangles.empty() && !soup.points.empty()) {
     throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
                              " but no faces; wrap them (repair method wrap)"));
   }
-  const bool was_clean = is_clean(soup);
+  const bool was_clean = is_clean(diagnosis);
   if (!was_clean) mend_faces(soup);
   std::vector<std::string>& notes = soup.notes;
   if (options.components == ComponentPolicy::keep_largest) keep_largest_component(soup, notes);
@@ -229,11 +227,17 @@ RepairResult wrap(const TriangleSoup& soup, const RepairOptions& options) {
 }  // namespace
 
 RepairResult repair(const TriangleSoup& soup, const RepairOptions& options) {
+  return repair(soup, options,
+                options.method == RepairMethod::safe ? diagnose(soup) : MeshDiagnosis());
+}
+
+RepairResult repair(const TriangleSoup& soup, const RepairOptions& options,
+                    const MeshDiagnosis& diagnosis) {
   switch (options.method) {
     case RepairMethod::none:
       return build(soup);
     case RepairMethod::safe:
-      return mend(soup, options);
+      return mend(soup, options, diagnosis);
     case RepairMethod::wrap:
       break;
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivalent/remesh/mesh_diagnosis.h"
 #include "trivalent/remesh/polygon_soup.h"
 
 namespace trivalent::remesh {
@@ -50,5 +51,8 @@ struct RepairResult {
 ///
 /// Cost: O(n log n) for n faces, a wrap O((size/alpha)²) or more.
 [[nodiscard]] RepairResult repair(const TriangleSoup& soup, const RepairOptions& options = {});
+/// The same, if it is known already what diagnose() finds.
+[[nodiscard]] RepairResult repair(const TriangleSoup& soup, const RepairOptions& options,
+                                  const MeshDiagnosis& diagnosis);
 
 }  // namespace trivalent::remesh
