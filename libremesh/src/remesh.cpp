@@ -1,6 +1,5 @@
 #include "trivalent/remesh/remesh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,64 +52,33 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   }
 }
 
-/// A connected part.
-struct Component {
-  int first_face = 0;
-  double area = 0.0;
-  bool closed = true;
-  Eigen::AlignedBox3d box;
-};
-
-std::vector<Component> components_of(const TriMesh& mesh) {
-  std::vector<Component> components;
-  std::vector<bool> seen(mesh.n_faces(), false);
-  for (const auto first : mesh.faces()) {
-    if (seen[static_cast<std::size_t>(first.idx())]) continue;
-    Component component;
-    component.first_face = first.idx();
-    std::vector<FaceHandle> front = {first};
-    seen[static_cast<std::size_t>(first.idx())] = true;
-    while (!front.empty()) {
-      const FaceHandle f = front.back();
-      front.pop_back();
-      component.area += mesh.calc_face_area(f);
-      if (mesh.is_boundary(f)) component.closed = false;
-      for (const auto v : mesh.fv_range(f)) component.box.extend(mesh.point(v));
-      for (const auto neighbor : mesh.ff_range(f)) {
-        if (seen[static_cast<std::size_t>(neighbor.idx())]) continue;
-        seen[static_cast<std::size_t>(neighbor.idx())] = true;
-        front.push_back(neighbor);
-      }
-    }
-    components.push_back(component);
-  }
-  return components;
-}
-
 /// More would not fit into the memory of most machines (about 1 kB per face).
 constexpr double most_faces = 2e7;
 
 void check_that_target_fits(const TriMesh& mesh, double target) {
   double area = 0.0;
-  for (const Component& component : components_of(mesh)) {
+  const MeshComponents components = find_components(mesh);
+  for (std::size_t i = 0; i < components.parts.size(); ++i) {
+    const MeshComponent& component = components.parts[i];
     area += component.area;
     if (!(component.area > 0.0) || !std::isfinite(component.area)) {
       throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
                                "; remove flat parts, or scale the mesh to ordinary numbers"));
     }
-    const double largest = longest_edge_for(component.area, component.closed);
+    const double largest = longest_edge_for(component.area, component.is_closed());
     if (target > largest) {
       throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
-                                 component.closed ? "a closed" : "an open", " part of area ",
+                                 component.is_closed() ? "a closed" : "an open", " part of area ",
                                  component.area, "; it can hold at most ", largest));
     }
-    const double length = component.box.sizes().maxCoeff();
+    const double length = component.box.longest_side();
     const double largest_along = longest_edge_along(component.area, length);
     if (target > largest_along) {
-      throw InvalidOption(concat("remesh: the part with face ", component.first_face, " is ",
-                                 length, " long and too narrow for edges of ", target,
-                                 "; remove vertices that lie far off, or use edges of at most ",
-                                 largest_along));
+      const auto first_face = std::ranges::find(components.of_face, static_cast<int>(i));
+      throw InvalidOption(
+          concat("remesh: the part with face ", first_face - components.of_face.begin(), " is ",
+                 length, " long and too narrow for edges of ", target,
+                 "; remove vertices that lie far off, or use edges of at most ", largest_along));
     }
   }
   const double smallest = std::sqrt(area / most_faces / area_of_equilateral);
