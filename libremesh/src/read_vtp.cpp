@@ -141,12 +141,15 @@ class VtpReader {
 
   // ---- arrays ----------------------------------------------------------------------------------
 
+  void check_left(const pugi::xml_node& array, const Stream& stream, std::uint64_t size) const {
+    if (size <= stream.rest.size()) return;
+    fail_in(array, concat("declares ", size, " bytes, more than the ", stream.rest.size(),
+                          " that are left; is it cut short?"));
+  }
+
   /// The next bytes of a stream. In base64 they begin and end with a group of four characters.
   std::string take(const pugi::xml_node& array, Stream& stream, std::uint64_t size) const {
-    if (size > stream.rest.size()) {
-      fail_in(array, concat("declares ", size, " bytes, more than the ", stream.rest.size(),
-                            " that are left; is it cut short?"));
-    }
+    check_left(array, stream, size);
     if (!stream.is_base64) {
       const std::string taken(stream.rest.substr(0, size));
       stream.rest.remove_prefix(size);
@@ -182,10 +185,7 @@ class VtpReader {
   std::string plain_bytes(const pugi::xml_node& array, Stream stream) const {
     Stream start = stream;
     const std::uint64_t size = header_word(take(array, start, header_size_), 0);
-    if (size > stream.rest.size()) {
-      fail_in(array, concat("declares ", size, " bytes, more than the ", stream.rest.size(),
-                            " that are left; is it cut short?"));
-    }
+    check_left(array, stream, size);  // before the sum below may overflow
     return take(array, stream, header_size_ + size).substr(header_size_);
   }
 
