@@ -13,7 +13,8 @@ SEEDS = {
     'off': ['OFF # a\n# b\n\n3 1 0\n' + POINTS + '3 0 1 2\n',
             ('3 1 0\n' + POINTS + '3 0 1 2\n').replace('\n', '\r\n'),
             'COFF\n4 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3 4\n1 1 0 1 2 3 4\n0 1 0 1 2 3 4\n4 0 1 2 3 0.1 0.2\n',
-            'STNOFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2'],
+            'STNOFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2',
+            'OFF\n4 1 0\n' + POINTS + '1 1 0\n6 0 1 3 2 1 3\n'],  # a finding: a corner that comes again
     'obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n',
             'mtllib m\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n 3/1\nl 1 2\n',
             'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\nv 0 2 0\nf 1 2 3 4 5\n'],
