@@ -1,5 +1,6 @@
 #include "trivalent/remesh/polygon_soup.h"
 
+#define ZLIB_CONST  // zlib reads what it unpacks, and no more
 #include <zlib.h>
 
 #include <algorithm>
@@ -46,8 +47,9 @@ std::string read_bytes(const fs::path& path) {
 
 bool is_gzipped(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
 
-/// No mesh packs better than this; what does is made to fill the memory.
+/// No mesh packs better than this; what does is made to fill the memory. Small ones may, in parts.
 constexpr std::size_t best_compression = 200;
+constexpr std::size_t surely_harmless = 1 << 20;
 
 struct EndInflating {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
@@ -59,21 +61,21 @@ std::string unpack(const Source& source) {
   if (inflateInit2(&stream, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
   const std::unique_ptr<z_stream, EndInflating> ending(&stream);
   std::string unpacked;
-  std::string input(source.bytes);
+  const std::string_view input = source.bytes;
   std::array<char, 1 << 16> chunk{};
   std::size_t at = 0;
   for (;;) {
     const std::size_t given = std::min<std::size_t>(input.size() - at, 1 << 30);
-    stream.next_in = reinterpret_cast<Bytef*>(input.data() + at);
+    stream.next_in = reinterpret_cast<const Bytef*>(input.data() + at);
     stream.avail_in = static_cast<uInt>(given);
     stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
     stream.avail_out = chunk.size();
     const int status = inflate(&stream, Z_NO_FLUSH);
     at += given - stream.avail_in;
     unpacked.append(chunk.data(), chunk.size() - stream.avail_out);
-    if (unpacked.size() / best_compression > input.size()) {
-      fail(source,
-           concat("unpacks to more than ", best_compression, " times its size; this is no mesh"));
+    if (unpacked.size() > surely_harmless && unpacked.size() / best_compression > at) {
+      fail(source, concat("its first ", at, " bytes unpack to more than ", best_compression,
+                          " times as many; this is no mesh"));
     }
     // Several packed parts may follow each other.
     if (status == Z_STREAM_END && at < input.size() && inflateReset(&stream) == Z_OK) continue;
@@ -117,11 +119,27 @@ bool is_text_stl(const Source& source) {
   return second == "facet" || second == "endsolid";
 }
 
+/// By its size alone: such a file may begin with any bytes.
+bool is_binary_stl(std::string_view bytes) {
+  return !bytes.empty() && declared_stl_size(bytes) == bytes.size();
+}
+
+/// The text behind the mark U+FEFF that some editors put first.
+Source without_mark(const Source& source) {
+  constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+  const std::string_view bytes = source.bytes;
+  if (is_binary_stl(bytes)) return source;
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    fail(source, "is text of 16 bits a letter; save it as UTF-8 or plain ASCII");
+  return bytes.starts_with(utf8_mark) ? Source{bytes.substr(utf8_mark.size()), source.name}
+                                      : source;
+}
+
 /// What the bytes say they are; none for OBJ and points, which have no mark.
 std::optional<Kind> kind_by_mark(const Source& source) {
   constexpr std::size_t longest_xml_head = 1000;
   const std::string_view bytes = source.bytes;
-  if (declared_stl_size(bytes) == bytes.size() && !bytes.empty()) return Kind::binary_stl;
+  if (is_binary_stl(bytes)) return Kind::binary_stl;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
   if (bytes.substr(0, longest_xml_head).find("<VTKFile") != bytes.npos) return Kind::vtp;
   if (is_text_stl(source)) return Kind::text_stl;
@@ -165,7 +183,7 @@ Kind kind_of(const Source& source, std::optional<Kind> expected) {
   if (const auto kind = kind_by_first_word(source)) return *kind;
   fail(source,
        concat("neither its extension '", extension_of(source),
-              "' nor its content is known; known are .off, .obj, .ply, .stl, .vtp, and .xyz for "
+              "' nor its content is known; save it as .off, .obj, .ply, .stl, .vtp, or .xyz for "
               "points, each also with .gz"));
 }
 
@@ -290,9 +308,15 @@ BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {
 }
 
 PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) {
-  if (is_gzipped(bytes)) return parse_polygon_soup(unpack({bytes, name}), name);
-  const Source source{bytes, name};
-  if (bytes.empty()) fail(source, "the file is empty");
+  std::string unpacked;
+  if (is_gzipped(bytes)) {
+    unpacked = unpack({bytes, name});
+    bytes = unpacked;
+    // Once only: there are files that unpack to themselves.
+    if (is_gzipped(bytes)) fail({bytes, name}, "is gzipped twice; unpack it once");
+  }
+  const Source source = without_mark({bytes, name});
+  if (source.bytes.empty()) fail(source, "the file is empty");
   const auto expected = kind_by_extension(source);
   const Kind kind = kind_of(source, expected);
   PolygonSoup soup = read_kind(source, kind);

@@ -221,7 +221,25 @@ TEST(ParsePolygonSoup, ReadsGzippedFiles) {
   expect_tetrahedron(parse_polygon_soup(packed, "a.off"));
   expect_refusal(packed.substr(0, packed.size() / 2), "a.off.gz", "damaged gzip data");
   const std::string bomb = gzipped(folder, off_text + std::string(10'000'000, '\n'));
-  expect_refusal(bomb, "a.off.gz", "unpacks to more than");
+  expect_refusal(bomb, "a.off.gz", "bytes unpack to more than 200 times as many");
+  expect_refusal(gzipped(folder, packed), "a.off.gz", "gzipped twice");
+  // A flat part packs well, but not all of the file.
+  const std::string blanks = gzipped(folder, off_text + std::string(1'000'000, '\n'));
+  expect_tetrahedron(parse_polygon_soup(blanks, "a.off.gz"));
+}
+
+TEST(ParsePolygonSoup, SkipsTheMarkThatSomeEditorsPutFirst) {
+  const std::string mark = "\xef\xbb\xbf";
+  expect_tetrahedron(parse_polygon_soup(mark + off_text, "a.off"));
+  expect_tetrahedron(parse_polygon_soup(mark + off_text, "/dev/stdin"));
+  expect_tetrahedron(parse_polygon_soup(mark + obj_text, "a.obj"));
+  expect_refusal(mark, "a.off", "is empty");
+}
+
+TEST(ParsePolygonSoup, RefusesTextOf16BitsALetter) {
+  for (const std::string mark : {"\xff\xfe", "\xfe\xff"}) {
+    expect_refusal(mark + off_text, "a.off", "save it as UTF-8");
+  }
 }
 
 TEST(ParsePolygonSoup, RefusesUnknownExtensionsAndEmptyFiles) {
