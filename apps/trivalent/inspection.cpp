@@ -79,6 +79,7 @@ Inspection look_at(const remesh::TriangleSoup& soup, const Session& session) {
   const dual::ShellOptions options = {
       .size = shell_size(session), .bond = session.get<double>("bond"), .method = {}};
   Inspection result;
+  result.is_read = true;
   result.reading_notes = soup.notes;
   result.box = soup.points.empty() ? remesh::BoundingBox{} : remesh::bounding_box(soup.points);
   result.diagnosis = remesh::diagnose(soup);
@@ -150,17 +151,15 @@ Json problems_json(const remesh::MeshDiagnosis& diagnosis) {
 
 void add_file(const Inspection& inspection, Result& result) {
   const remesh::MeshDiagnosis& diagnosis = inspection.diagnosis;
-  append(
-      result.table,
-      {{"verdict", std::string(name_of(inspection.verdict)) + ": " + inspection.reason},
-       {"as it is in the file (counted from 0)"},
-       {"points, faces", std::to_string(diagnosis.points) + ", " + std::to_string(diagnosis.faces)},
-       {"components", std::to_string(diagnosis.components)},
-       {"boundary loops, edges",
-        std::to_string(diagnosis.boundary_loops) + ", " + std::to_string(diagnosis.boundary_edges)},
-       {"bounding box", vector_text(inspection.box.low) + " to " +
-                            vector_text(inspection.box.high) + ", diagonal " +
-                            significant(inspection.box.diagonal())}});
+  append(result.table, {{"as it is in the file (counted from 0)"},
+                        {"points, faces",
+                         std::to_string(diagnosis.points) + ", " + std::to_string(diagnosis.faces)},
+                        {"components", std::to_string(diagnosis.components)},
+                        {"boundary loops, edges", std::to_string(diagnosis.boundary_loops) + ", " +
+                                                      std::to_string(diagnosis.boundary_edges)},
+                        {"bounding box", vector_text(inspection.box.low) + " to " +
+                                             vector_text(inspection.box.high) + ", diagonal " +
+                                             significant(inspection.box.diagonal())}});
   if (!diagnosis.first_boundaries.empty()) {
     result.table.push_back({"first boundary edges", places_text(diagnosis.first_boundaries)});
   }
@@ -218,7 +217,9 @@ Result describe(const Inspection& inspection) {
                  {"reason", inspection.reason},
                  {"notes", inspection.reading_notes},
                  {"repair", inspection.repair_notes}};
-  add_file(inspection, result);
+  result.table.push_back(
+      {"verdict", std::string(name_of(inspection.verdict)) + ": " + inspection.reason});
+  if (inspection.is_read) add_file(inspection, result);
   if (inspection.plan) add_mesh(inspection, result);
   return result;
 }

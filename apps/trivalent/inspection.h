@@ -25,6 +25,7 @@ enum class Verdict {
 struct Inspection {
   Verdict verdict = Verdict::hopeless;
   std::string reason = {};  ///< for the verdict, with a way out
+  bool is_read = false;     ///< else nothing below is known
   std::vector<std::string> reading_notes = {};
   remesh::MeshDiagnosis diagnosis = {};  ///< crossing faces are among the findings
   remesh::BoundingBox box = {};
