@@ -16,6 +16,15 @@ namespace {
 
 constexpr std::string_view blanks = " \t\v\f\r";
 
+// No large structure packs better than this; what does is made to fill the memory.
+constexpr std::size_t best_compression = 200;
+constexpr std::size_t surely_harmless = std::size_t{64} << 20;
+
+bool is_bomb(std::size_t unpacked, gzFile file) {
+  return gzdirect(file) == 0 && unpacked > surely_harmless &&
+         unpacked / best_compression > static_cast<std::size_t>(gzoffset(file));
+}
+
 // std::from_chars knows no leading plus.
 std::string_view without_plus(std::string_view field) {
   const bool has_plus = field.size() > 1 && field[0] == '+' && field[1] != '-';
@@ -38,6 +47,8 @@ std::string read_text(const TextSource& source) {
     errno = 0;
     const int n_read = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()));
     if (n_read > 0) text.append(block.data(), static_cast<std::size_t>(n_read));
+    if (is_bomb(text.size(), file.get()))
+      fail(concat("it unpacks to more than ", best_compression, " times its size"));
     if (n_read == static_cast<int>(block.size())) continue;
     int code = Z_OK;
     const char* message = gzerror(file.get(), &code);

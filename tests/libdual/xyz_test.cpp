@@ -1,6 +1,7 @@
 #include "trivalent/dual/xyz.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <limits>
 #include <sstream>
@@ -198,6 +199,19 @@ TEST(ReadXyz, NamesTheLineOfEveryFault) {
 
 TEST(ReadXyz, RefusesACountThatTheFileCannotHold) {
   EXPECT_NE(complaint_about("2000000000\n\nC 0 0 0\n").find("cut short"), std::string::npos);
+}
+
+TEST(ReadXyz, RefusesAPackedFileThatWouldFillTheMemory) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "bomb.xyz.gz";
+  gzFile file = gzopen(path.c_str(), "wb1");
+  const std::string blanks(std::size_t{1} << 20, '\n');
+  for (int k = 0; k < 70; ++k) gzwrite(file, blanks.data(), static_cast<unsigned>(blanks.size()));
+  gzclose(file);
+  const auto message = message_of<FileError>([&] { static_cast<void>(read_xyz(path)); });
+  EXPECT_NE(message.find("bomb.xyz.gz: it unpacks to more than 200 times its size"),
+            std::string::npos)
+      << message;
 }
 
 TEST(ReadXyz, ThrowsOnAMissingFileAndOnAFolder) {
