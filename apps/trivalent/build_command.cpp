@@ -170,6 +170,10 @@ void relax_shell(const StopRequest& stop, const Session& session, BuildRecord& r
 }
 
 std::string crossing_remedy(const BuildRecord& record) {
+  if (record.wrap_offset > 0.0) {
+    return "a larger shell can follow thin parts of the wrap, a larger --wrap-offset makes them "
+           "thicker";
+  }
   return record.input_quality.self_intersections > 0
              ? "the input does too: --repair wrap mends that"
              : "the input does not: a larger shell can follow thin parts, --feature-angle keeps "

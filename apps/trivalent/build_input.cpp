@@ -47,7 +47,9 @@ BuildInput read_build_input(const Session& session, const dual::ShellOptions& op
   if (is_built_in(shape.substr(0, shape.find(':')))) {
     return {.mesh = make_fine_shape(parse_shape(shape), options), .notes = {}};
   }
-  remesh::RepairResult read = read_surface(shape, session);
+  remesh::RepairResult read = read_surface(shape, session, [&options](const remesh::TriMesh& mesh) {
+    return plan_build(mesh, options).shell.edge_length;
+  });
   return {.mesh = std::move(read.mesh), .notes = std::move(read.notes), .wrap_offset = read.offset};
 }
 

@@ -35,9 +35,14 @@ void measure(const dual::ShellOptions& options, Inspection& result) {
 }
 
 /// Sets the mesh, or the reason why there is none.
-void repair(const remesh::TriangleSoup& soup, const Session& session, Inspection& result) {
+void repair(const remesh::TriangleSoup& soup, const Session& session,
+            const dual::ShellOptions& options, Inspection& result) {
+  remesh::RepairOptions mending = repair_options(session);
+  mending.edge_length_on = [&options](const remesh::TriMesh& mesh) {
+    return plan_build(mesh, options).shell.edge_length;
+  };
   try {
-    remesh::RepairResult repaired = remesh::repair(soup, repair_options(session), result.diagnosis);
+    remesh::RepairResult repaired = remesh::repair(soup, mending, result.diagnosis);
     result.mesh = std::move(repaired.mesh);
     result.repair_notes.assign(
         repaired.notes.begin() + static_cast<std::ptrdiff_t>(soup.notes.size()),
@@ -83,7 +88,7 @@ Inspection look_at(const remesh::TriangleSoup& soup, const Session& session) {
   result.reading_notes = soup.notes;
   result.box = soup.points.empty() ? remesh::BoundingBox{} : remesh::bounding_box(soup.points);
   result.diagnosis = remesh::diagnose(soup);
-  if (has_size(result)) repair(soup, session, result);
+  if (has_size(result)) repair(soup, session, options, result);
   if (result.mesh) measure(options, result);
   if (!result.mesh || result.quality.self_intersections > 0) {
     const remesh::Finding crossing = remesh::find_crossing_faces(soup);

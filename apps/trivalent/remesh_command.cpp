@@ -28,7 +28,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 
-  const remesh::RepairResult input = read_surface(session->get<std::string>("IN"), *session);
+  const remesh::RepairResult input = read_surface(session->get<std::string>("IN"), *session,
+                                                  [edge](const remesh::TriMesh&) { return edge; });
   session->terminal.notes(input.notes);
   const remesh::TriMesh& original = input.mesh;
   std::optional<StopRequest> stop;

@@ -40,7 +40,8 @@ void add_repair_options(po::options_description& options) {
        "size of the gaps that a wrap closes, in units of the input; default: 1/100 of its "
        "diagonal, more among sparse points")  //
       ("wrap-offset", po::value<double>(),
-       "distance of a wrap from the input, in its units; default: 1/30 of alpha");
+       "distance of a wrap from the input, in its units; default: 1/30 of alpha, or an edge of the "
+       "net where the wrap would be thinner than that, as of an open surface");
 }
 
 remesh::RepairOptions repair_options(const Session& session) {
@@ -55,8 +56,11 @@ remesh::TriangleSoup read_soup(const std::string& path) {
   return remesh::triangulate(remesh::read_polygon_soup(path == "-" ? "/dev/stdin" : path));
 }
 
-remesh::RepairResult read_surface(const std::string& path, const Session& session) {
-  return remesh::repair(read_soup(path), repair_options(session));
+remesh::RepairResult read_surface(const std::string& path, const Session& session,
+                                  std::function<double(const remesh::TriMesh&)> edge_length_on) {
+  remesh::RepairOptions options = repair_options(session);
+  options.edge_length_on = std::move(edge_length_on);
+  return remesh::repair(read_soup(path), options);
 }
 
 }  // namespace trivalent::apps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ void add_repair_options(po::options_description& options);
 /// Reads points and triangles from a file, or from standard input if the path is "-".
 [[nodiscard]] remesh::TriangleSoup read_soup(const std::string& path);
 
-/// The same, made a sound surface as the options say.
-[[nodiscard]] remesh::RepairResult read_surface(const std::string& path, const Session& session);
+/// The same, made a sound surface for nets of the edge length that belongs to a surface.
+[[nodiscard]] remesh::RepairResult read_surface(
+    const std::string& path, const Session& session,
+    std::function<double(const remesh::TriMesh&)> edge_length_on);
 
 }  // namespace trivalent::apps

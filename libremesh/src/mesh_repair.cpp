@@ -9,6 +9,7 @@
 #include "mesh_readers.h"
 #include "soup_repair.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "wrap_surface.h"
 
 namespace trivalent::remesh {
@@ -203,24 +204,60 @@ double default_alpha(const TriangleSoup& soup) {
   return std::max(fine, gaps * std::sqrt(area / static_cast<double>(soup.points.size())));
 }
 
-RepairResult wrap(const TriangleSoup& soup, const RepairOptions& options) {
-  if (soup.points.empty()) throw InvalidMesh("repair: there is nothing to wrap");
-  const double alpha = options.wrap_alpha.value_or(default_alpha(soup));
-  const double offset = options.wrap_offset.value_or(alpha / 30.0);
-  for (const double length : {alpha, offset}) {
-    if (length > 0.0 && std::isfinite(length)) continue;
-    throw InvalidOption(
-        concat("repair: the lengths of a wrap must be > 0 and finite, but one is ", length));
+void check_wrap_length(double length) {
+  if (length > 0.0 && std::isfinite(length)) return;
+  throw InvalidOption(
+      concat("repair: the lengths of a wrap must be > 0 and finite, but one is ", length));
+}
+
+/// That of a thin plate; two thirds of the radius of a ball.
+double mean_thickness(const TriMesh& closed) {
+  double volume = 0.0;
+  double area = 0.0;
+  for (const MeshComponent& part : find_components(closed).parts) {
+    volume += part.volume;
+    area += part.area;
   }
-  TriangleSoup wrapped = wrap_surface(soup, {alpha, offset});
+  return 2.0 * volume / area;
+}
+
+RepairResult wrap_at(const TriangleSoup& soup, const RepairOptions& options,
+                     const WrapLengths& lengths) {
+  TriangleSoup wrapped = wrap_surface(soup, lengths);
   wrapped.notes = soup.notes;
-  wrapped.notes.push_back(concat("wrapped with alpha ", alpha, " at a distance of ", offset,
-                                 "; what lies inside is lost"));
+  wrapped.notes.push_back(concat("wrapped with alpha ", lengths.alpha, " at a distance of ",
+                                 lengths.offset, "; what lies inside is lost"));
   if (options.components == ComponentPolicy::keep_largest)
     keep_largest_component(wrapped, wrapped.notes);
   drop_isolated_points(wrapped);
   RepairResult result = build(std::move(wrapped));
-  result.offset = offset;
+  result.offset = lengths.offset;
+  return result;
+}
+
+/// The edge length of the net to come, if a wrap close to the input would be thinner than that.
+std::optional<double> edge_of_thin_wrap(const TriangleSoup& soup, const RepairOptions& options,
+                                        double alpha) {
+  if (!options.edge_length_on) return std::nullopt;
+  // So far off that it is fast; close wraps take many times as long.
+  const TriMesh probe = wrap_at(soup, options, {alpha, alpha}).mesh;
+  const double edge_length = options.edge_length_on(probe);
+  return mean_thickness(probe) - 2.0 * alpha < edge_length ? std::optional(edge_length)
+                                                           : std::nullopt;
+}
+
+RepairResult wrap(const TriangleSoup& soup, const RepairOptions& options) {
+  if (soup.points.empty()) throw InvalidMesh("repair: there is nothing to wrap");
+  const double alpha = options.wrap_alpha.value_or(default_alpha(soup));
+  check_wrap_length(alpha);
+  if (options.wrap_offset) {
+    check_wrap_length(*options.wrap_offset);
+    return wrap_at(soup, options, {alpha, *options.wrap_offset});
+  }
+  const auto edge_length = edge_of_thin_wrap(soup, options, alpha);
+  RepairResult result = wrap_at(soup, options, {alpha, edge_length.value_or(alpha / 30.0)});
+  if (edge_length)
+    result.notes.emplace_back("its distance is one edge, as its sides would meet otherwise");
   return result;
 }
 

@@ -150,6 +150,16 @@ TEST_F(BuildCommand, WrapsPointsAndReportsTheOffset) {
   EXPECT_EQ(result["network"]["ring_excess"], 12);
 }
 
+TEST_F(BuildCommand, WrapsAnOpenSurfaceSoThatItsSidesDoNotCross) {
+  const std::string build = "build " TRIVALENT_MESHES
+                            "/blob.off -o out --atoms 600 --method paper --no-relax --repair wrap";
+  succeed(build);
+  const auto result = report("out");
+  EXPECT_EQ(result["quality"]["self_intersections"], 0);
+  EXPECT_EQ(result["quality"]["boundary_loops"], 0);
+  EXPECT_NE(result["notes"].dump().find("one edge"), std::string::npos);
+}
+
 TEST_F(BuildCommand, KeepsSeveralComponentsWithTheirIds) {
   write("two.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"

@@ -210,6 +210,33 @@ TEST(Repair, WrapsPoints) {
   EXPECT_EQ(euler_characteristic(result.mesh), 2);
 }
 
+double edge_length_of_net(const TriMesh&) { return 0.7; }
+
+TEST(Repair, KeepsTheSidesOfAWrappedSheetTwoEdgesApart) {
+  const TriangleSoup sheet = soup_of(triangular_sheet(8, 8));  // in the plane z = 0
+  const RepairResult result =
+      repair(sheet, {.method = RepairMethod::wrap, .edge_length_on = edge_length_of_net});
+  EXPECT_EQ(result.offset, 0.7);
+  const BoundingBox box = bounding_box(soup_of(result.mesh).points);
+  EXPECT_NEAR(box.high.z(), 0.7, 0.07);
+  EXPECT_NEAR(box.low.z(), -0.7, 0.07);
+  EXPECT_EQ(result.notes.back(), "its distance is one edge, as its sides would meet otherwise");
+}
+
+TEST(Repair, WrapsCloselyWhatIsThickOrIsToBe) {
+  const auto offset = [](const TriMesh& mesh, std::optional<double> wanted) {
+    return repair(soup_of(mesh), {.method = RepairMethod::wrap,
+                                  .wrap_alpha = 0.3,
+                                  .wrap_offset = wanted,
+                                  .edge_length_on = edge_length_of_net})
+        .offset;
+  };
+  TriMesh ball = icosahedron();
+  scale(ball, 3.0);
+  EXPECT_EQ(offset(ball, std::nullopt), 0.01);
+  EXPECT_EQ(offset(triangular_sheet(8, 8), 0.05), 0.05);
+}
+
 TEST(Repair, MendsEveryRealMesh) {
   for (const auto* name :
        {"boeing.off", "cow.off", "elephant-with-holes.off", "mask_cone.off", "pig.stl",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,12 @@ struct RepairOptions {
   /// Size of the holes and gaps that a wrap closes and of the detail it loses, in the mesh's unit,
   /// > 0; none: 1/100 of the bounding box's diagonal, among points at least 3 times their distance.
   std::optional<double> wrap_alpha = std::nullopt;
-  /// Distance from the input to the wrap, in the mesh's unit, > 0; none: 1/30 of alpha.
+  /// Distance from the input to the wrap, in the mesh's unit, > 0; none: 1/30 of alpha, or an edge
+  /// of the net to come where the wrap is thinner than that.
   std::optional<double> wrap_offset = std::nullopt;
+  /// Edge length of the net that is to come on a surface, in its unit. A wrap of an open surface
+  /// has two sides, and nets on sides closer than their edges cross each other. Empty: not minded.
+  std::function<double(const TriMesh&)> edge_length_on = {};
 };
 
 /// A sound surface and all that was done for it.
