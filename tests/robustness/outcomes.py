@@ -20,6 +20,8 @@ from program import build, run, sanitized
 
 COLUMNS = {'inspect': '`inspect`', 'paper': '`--method paper`', 'crystal': 'by default', 'wrap': '`--repair wrap`'}
 
+HOW = {'paper': 'with `--method paper`', 'crystal': 'by default', 'wrap': 'with `--repair wrap`'}
+
 
 def count_triangles(path):
     """Triangles that an OFF file stands for, or None for another kind of file."""
@@ -140,9 +142,9 @@ def summary(records):
 
     builds = ('paper', 'crystal', 'wrap')
     words = [f'{len(meshes)} files, {len(triangles)} with faces']
-    for column in builds[:2]:
+    for column in builds:
         tried = sum(column in record for record in triangles)
-        words.append(f'{count(lambda _: True, [column])} of {tried} tried give a shell with `--method {column}`')
+        words.append(f'{count(lambda _: True, [column])} of {tried} tried give a shell {HOW[column]}')
     any_shell = count(lambda _: True, builds)
     words.append(f'{any_shell} ({100 * any_shell / max(1, len(triangles)):.1f} %) with some method or `--repair`')
     words.append(f'{count(lambda shell: not shell["crossings"], builds)} one without crossings')
