@@ -174,9 +174,10 @@ RepairResult mend(TriangleSoup soup, const RepairOptions& options, const MeshDia
     throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
                              " but no faces; wrap them (repair method wrap)"));
   }
+  std::vector<std::string>& notes = soup.notes;
+  note(notes, "set to zero", drop_vanishing_coordinates(soup), "vanishing coordinate");
   const bool was_clean = is_clean(diagnosis);
   if (!was_clean) mend_faces(soup);
-  std::vector<std::string>& notes = soup.notes;
   if (options.components == ComponentPolicy::keep_largest) keep_largest_component(soup, notes);
   turn_inside_out_components(soup, notes);
   note(notes, "dropped", drop_isolated_points(soup), "isolated point");

@@ -143,6 +143,20 @@ class Orientation {
 
 }  // namespace
 
+std::size_t drop_vanishing_coordinates(TriangleSoup& soup) {
+  if (soup.points.empty()) return 0;
+  const double vanishing = 1e-60 * bounding_box(soup.points).diagonal();
+  std::size_t count = 0;
+  for (Eigen::Vector3d& p : soup.points) {
+    for (double& x : p) {
+      if (x == 0.0 || std::abs(x) >= vanishing) continue;
+      x = 0.0;
+      ++count;
+    }
+  }
+  return count;
+}
+
 std::size_t join_coincident_points(TriangleSoup& soup) {
   const std::vector<char> is_open = points_on_open_edges(soup);
   std::vector<int> order;

@@ -8,6 +8,10 @@ namespace trivalent::remesh {
 
 /// Steps of repair(), each in place. They return how many elements they changed.
 
+/// Sets coordinates below 1e-60 of the bounding box's diagonal to zero: the squares of such
+/// distances leave the range of double-precision numbers, and with them all geometry.
+std::size_t drop_vanishing_coordinates(TriangleSoup& soup);
+
 /// Joins points at the same place if both have an edge without a second face; faces that lose a
 /// corner by it are dropped.
 std::size_t join_coincident_points(TriangleSoup& soup);

@@ -186,6 +186,21 @@ TEST(Repair, FillsHolesWhoseChordsExist) {
   EXPECT_EQ(euler_characteristic(result.mesh), 2);
 }
 
+TEST(Repair, TakesAVanishingDetailForAPoint) {
+  // A tetrahedron with a corner cut off so closely that squares of its edges are no numbers.
+  constexpr double e = 1e-170;
+  const TriangleSoup cut{
+      {{e, 0, 0}, {0, e, 0}, {0, 0, e}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {{0, 1, 2}, {3, 4, 1}, {3, 1, 0}, {4, 5, 2}, {4, 2, 1}, {5, 3, 0}, {5, 0, 2}, {3, 5, 4}},
+      {}};
+  const RepairResult result = repair(cut);
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_EQ(result.notes[0], "set to zero 3 vanishing coordinates");
+  EXPECT_EQ(result.mesh.n_vertices(), 4u);
+  EXPECT_EQ(result.mesh.n_faces(), 4u);
+  EXPECT_NEAR(std::abs(signed_volume(result.mesh)), 1.0 / 6.0, 1e-15);
+}
+
 TEST(Repair, WrapsWhatNothingElseMends) {
   // Two spheres' worth of faces that cross each other, torn apart.
   TriangleSoup soup = soup_of(icosahedron());

@@ -44,7 +44,8 @@ struct RepairResult {
 
 /// Turns triangles into an oriented 2-manifold.
 ///
-/// RepairMethod::safe, in this order: joins coincident points where edges lack a second face; drops
+/// RepairMethod::safe, in this order: sets coordinates below 1e-60 of the size to zero; joins
+/// coincident points where edges lack a second face; drops
 /// repeated faces; turns faces so that neighbors agree; separates surfaces that meet in an edge of
 /// more than two faces (faces that enclose a wedge of the inside stay together) or in a vertex;
 /// removes flat faces by flips and collapses; drops isolated points; turns closed components that
