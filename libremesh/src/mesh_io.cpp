@@ -130,6 +130,11 @@ MeshFile read_mesh(const std::filesystem::path& path) {
 
 void write_mesh(const TriMesh& mesh, const std::filesystem::path& path) {
   const Writer write = writer_for(path);
+  for (const auto v : mesh.vertices()) {
+    if (mesh.point(v).allFinite()) continue;
+    throw InvalidMesh(
+        concat("write_mesh: vertex ", v.idx(), " is at no finite position; nothing was written"));
+  }
   write_whole_file(path, [&](std::ostream& out) { write(out, mesh); });
 }
 

@@ -117,6 +117,15 @@ TEST(WriteMesh, ThrowsOnAnUnknownExtension) {
   EXPECT_EQ(folder.count_files(), 0);
 }
 
+TEST(WriteMesh, ThrowsOnAPositionThatIsNotFinite) {
+  const TemporaryFolder folder;
+  TriMesh mesh = icosahedron();
+  mesh.point(VertexHandle(7)).y() = std::nan("");
+  const auto message = message_of<InvalidMesh>([&] { write_mesh(mesh, folder.path() / "a.off"); });
+  EXPECT_NE(message.find("vertex 7"), std::string::npos) << message;
+  EXPECT_EQ(folder.count_files(), 0);
+}
+
 TEST(WriteMesh, ThrowsOnAMissingFolder) {
   EXPECT_THROW(write_mesh(icosahedron(), "/nonexistent/a.off"), FileError);
 }

@@ -33,7 +33,8 @@ struct MeshFile {
 /// text kinds carry as many digits, up to 17, as bring back the same bits. The file appears whole
 /// or not at all.
 ///
-/// @throws FileError if the extension is unknown or the file cannot be written.
+/// @throws FileError   if the extension is unknown or the file cannot be written.
+/// @throws InvalidMesh if a coordinate is infinite or no number.
 void write_mesh(const TriMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace trivalent::remesh
