@@ -45,12 +45,12 @@ struct RepairResult {
 /// Turns triangles into an oriented 2-manifold.
 ///
 /// RepairMethod::safe, in this order: sets coordinates below 1e-60 of the size to zero; joins
-/// coincident points where edges lack a second face; drops
-/// repeated faces; turns faces so that neighbors agree; separates surfaces that meet in an edge of
-/// more than two faces (faces that enclose a wedge of the inside stay together) or in a vertex;
-/// removes flat faces by flips and collapses; drops isolated points; turns closed components that
-/// are inside out. RepairMethod::wrap is CGAL's alpha wrapping [Portaneri2022]; it also takes
-/// points without any faces.
+/// coincident points where edges lack a second face; drops repeated faces; turns faces so that
+/// neighbors agree; separates surfaces that meet in an edge of more than two faces (faces that
+/// enclose a wedge of the inside stay together) or in a vertex; drops isolated points; turns closed
+/// components that are inside out; removes flat faces by flips and collapses.
+/// RepairMethod::wrap is CGAL's alpha wrapping [Portaneri2022]; it also takes points without any
+/// faces. Its thickness, for edge_length_on, is the mean one: 2V/A of its volume and area.
 ///
 /// @throws InvalidMesh   if nothing sound results; the message says what to try.
 /// @throws InvalidOption if a wrap length is out of its range.
