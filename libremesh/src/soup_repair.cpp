@@ -144,14 +144,25 @@ class Orientation {
 }  // namespace
 
 std::size_t drop_vanishing_coordinates(TriangleSoup& soup) {
-  if (soup.points.empty()) return 0;
-  const double vanishing = 1e-60 * bounding_box(soup.points).diagonal();
+  if (soup.triangles.empty()) return 0;
+  // Isolated points may lie anywhere and say nothing of the size.
+  const Eigen::Vector3d& first = soup.points[index(soup.triangles[0][0])];
+  BoundingBox box{first, first};
+  for (const Triangle& t : soup.triangles) {
+    for (const int v : t) {
+      box.low = box.low.cwiseMin(soup.points[index(v)]);
+      box.high = box.high.cwiseMax(soup.points[index(v)]);
+    }
+  }
+  const double vanishing = 1e-60 * box.diagonal();
   std::size_t count = 0;
-  for (Eigen::Vector3d& p : soup.points) {
-    for (double& x : p) {
-      if (x == 0.0 || std::abs(x) >= vanishing) continue;
-      x = 0.0;
-      ++count;
+  for (const Triangle& t : soup.triangles) {
+    for (const int v : t) {
+      for (double& x : soup.points[index(v)]) {
+        if (x == 0.0 || std::abs(x) >= vanishing) continue;
+        x = 0.0;
+        ++count;
+      }
     }
   }
   return count;

@@ -8,8 +8,9 @@ namespace trivalent::remesh {
 
 /// Steps of repair(), each in place. They return how many elements they changed.
 
-/// Sets coordinates below 1e-60 of the bounding box's diagonal to zero: the squares of such
-/// distances leave the range of double-precision numbers, and with them all geometry.
+/// Sets coordinates of the faces' points to zero if they are below 1e-60 of the diagonal of these
+/// points' bounding box: products of such distances leave the range of double-precision numbers,
+/// and with them all geometry.
 std::size_t drop_vanishing_coordinates(TriangleSoup& soup);
 
 /// Joins points at the same place if both have an edge without a second face; faces that lose a

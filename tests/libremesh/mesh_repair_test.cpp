@@ -201,6 +201,14 @@ TEST(Repair, TakesAVanishingDetailForAPoint) {
   EXPECT_NEAR(std::abs(signed_volume(result.mesh)), 1.0 / 6.0, 1e-15);
 }
 
+TEST(Repair, TakesTheSizeFromTheFacesAlone) {
+  TriangleSoup soup = soup_of(icosahedron());
+  soup.points.emplace_back(1e80, 0.0, 0.0);
+  const RepairResult result = repair(soup);
+  EXPECT_EQ(result.notes, Notes{"dropped 1 isolated point"});
+  EXPECT_EQ(signed_volume(result.mesh), signed_volume(icosahedron()));
+}
+
 TEST(Repair, WrapsWhatNothingElseMends) {
   // Two spheres' worth of faces that cross each other, torn apart.
   TriangleSoup soup = soup_of(icosahedron());

@@ -47,8 +47,8 @@ struct RepairResult {
 /// RepairMethod::safe, in this order: sets coordinates below 1e-60 of the size to zero; joins
 /// coincident points where edges lack a second face; drops repeated faces; turns faces so that
 /// neighbors agree; separates surfaces that meet in an edge of more than two faces (faces that
-/// enclose a wedge of the inside stay together) or in a vertex; drops isolated points; turns closed
-/// components that are inside out; removes flat faces by flips and collapses.
+/// enclose a wedge of the inside stay together) or in a vertex; turns closed components that
+/// are inside out; drops isolated points; removes flat faces by flips and collapses.
 /// RepairMethod::wrap is CGAL's alpha wrapping [Portaneri2022]; it also takes points without any
 /// faces. Its thickness, for edge_length_on, is the mean one: 2V/A of its volume and area.
 ///
