@@ -48,7 +48,7 @@ BuildInput read_build_input(const Session& session, const dual::ShellOptions& op
     return {.mesh = make_fine_shape(parse_shape(shape), options), .notes = {}};
   }
   remesh::RepairResult read = read_surface(shape, session, [&options](const remesh::TriMesh& mesh) {
-    return plan_build(mesh, options).shell.edge_length;
+    return dual::estimate_shell(mesh, options).edge_length;
   });
   return {.mesh = std::move(read.mesh), .notes = std::move(read.notes), .wrap_offset = read.offset};
 }

@@ -39,7 +39,7 @@ void repair(const remesh::TriangleSoup& soup, const Session& session,
             const dual::ShellOptions& options, Inspection& result) {
   remesh::RepairOptions mending = repair_options(session);
   mending.edge_length_on = [&options](const remesh::TriMesh& mesh) {
-    return plan_build(mesh, options).shell.edge_length;
+    return dual::estimate_shell(mesh, options).edge_length;
   };
   try {
     remesh::RepairResult repaired = remesh::repair(soup, mending, result.diagnosis);
