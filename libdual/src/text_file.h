@@ -21,8 +21,7 @@ struct TextSource {
 /// The whole content of a file; gzip is unpacked on the way.
 ///
 /// @throws FileError if the file is missing, unreadable, or packed to fill the memory: from 64 MB
-/// on,
-///   it may not unpack to more than 200 times its size.
+///   on, it may not unpack to more than 200 times its size.
 [[nodiscard]] std::string read_text(const TextSource& source);
 
 /// A text line by line, and numbers out of its fields. Every complaint names file and line.

@@ -1,6 +1,9 @@
 // Replays inputs on a fuzz target without libFuzzer: as they are, cut short, and with bytes
-// changed. usage: replay_TARGET FOLDER... Ends by a signal where the target finds a fault; the last
-// file named is the one it was made of.
+// changed.
+//
+// usage: replay_TARGET FOLDER...
+//
+// Ends by a signal where the target finds a fault; the last file named is the one it was made of.
 
 #include <cstdint>
 #include <cstdio>
