@@ -1,5 +1,7 @@
 #include "inspection.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,12 +28,15 @@ constexpr double largest_size = 1e90;
 
 void measure(const dual::ShellOptions& options, Inspection& result) {
   const remesh::TriMesh& mesh = *result.mesh;
-  result.quality = remesh::measure_quality(mesh);
-  result.components = remesh::find_components(mesh);
-  result.features = remesh::find_feature_lines(mesh, feature_degrees * std::numbers::pi / 180.0);
-  result.plan = plan_build(mesh, result.components, options);
-  result.tight_fraction = remesh::tightly_curved_fraction(
-      mesh, smallest_radius * options.bond / result.plan->shell.scale);
+  tbb::parallel_invoke([&] { result.quality = remesh::measure_quality(mesh); },
+                       [&] {
+                         result.components = remesh::find_components(mesh);
+                         result.features = remesh::find_feature_lines(
+                             mesh, feature_degrees * std::numbers::pi / 180.0);
+                         result.plan = plan_build(mesh, result.components, options);
+                         result.tight_fraction = remesh::tightly_curved_fraction(
+                             mesh, smallest_radius * options.bond / result.plan->shell.scale);
+                       });
 }
 
 /// Sets the mesh, or the reason why there is none.

@@ -1,8 +1,9 @@
 #include "trivalent/remesh/mesh_diagnosis.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -24,10 +25,12 @@ class Diagnosis {
   MeshDiagnosis run() {
     result_.points = static_cast<int>(soup_.points.size());
     result_.faces = static_cast<int>(soup_.triangles.size());
-    check_points();
-    check_faces();
-    check_edges();
-    for (auto& [problem, finding] : findings_) result_.findings.push_back(std::move(finding));
+    // Each has its own problems to report.
+    tbb::parallel_invoke([this] { check_edges(); }, [this] { check_points(); },
+                         [this] { check_faces(); });
+    for (Finding& finding : findings_) {
+      if (finding.count > 0) result_.findings.push_back(std::move(finding));
+    }
     return std::move(result_);
   }
 
@@ -37,7 +40,7 @@ class Diagnosis {
   }
 
   void report(Problem problem, std::vector<int> elements, int first_point) {
-    Finding& finding = findings_[problem];
+    Finding& finding = findings_[static_cast<std::size_t>(problem)];
     finding.problem = problem;
     ++finding.count;
     if (finding.first.size() < most_places) {
@@ -171,7 +174,7 @@ class Diagnosis {
 
   const TriangleSoup& soup_;
   MeshDiagnosis result_;
-  std::map<Problem, Finding> findings_;
+  std::array<Finding, 1 + static_cast<std::size_t>(Problem::crossing_faces)> findings_;
 };
 
 }  // namespace

@@ -27,7 +27,8 @@ Bending bending_of(const TriMesh& mesh) {
   Bending result{std::vector<double>(mesh.n_vertices(), 0.0),
                  std::vector<double>(mesh.n_vertices(), 0.0)};
   for (const auto f : mesh.faces()) {  // each vertex has a third of the faces around
-    for (const auto v : mesh.fv_range(f)) result.area[index(v)] += mesh.calc_face_area(f) / 3.0;
+    const double third = mesh.calc_face_area(f) / 3.0;
+    for (const auto v : mesh.fv_range(f)) result.area[index(v)] += third;
   }
   // Half the angle times the length of an edge, which its two vertices share.
   for (const auto e : mesh.edges()) {
