@@ -180,6 +180,28 @@ std::string crossing_remedy(const BuildRecord& record) {
                "sharp creases";
 }
 
+/// Where the shell is not what was asked for.
+void note_misses(const dual::ShellSize& size, BuildRecord& record) {
+  const auto* asked = std::get_if<dual::AtomCount>(&size);
+  const int atoms = record.network.atoms;
+  if (asked != nullptr &&
+      std::abs(atoms - asked->atoms) > dual::atom_count_tolerance * asked->atoms) {
+    record.notes.push_back("the shell has " + std::to_string(atoms) + " atoms, not the " +
+                           std::to_string(asked->atoms) +
+                           " asked for: no edge length that was tried came nearer");
+  }
+  // The net lies half inside and half outside, and rounds off what is sharp.
+  constexpr double farthest_covered = 1.5;  // edges
+  const double edge = record.quality.edge_length.mean;
+  const double distance = record.distance.from_original.max;
+  if (distance > farthest_covered * edge) {
+    record.notes.push_back("a part of the surface is left out, up to " + decimals(distance, 1) +
+                           " Å (" + decimals(distance / edge, 1) +
+                           " edges) from the shell: more atoms can follow thin parts, "
+                           "--feature-angle keeps sharp creases");
+  }
+}
+
 void note_findings(BuildRecord& record) {
   const auto& network = record.network;
   if (record.quality.boundary_loops == 0 && !network.is_trivalent()) {
@@ -233,6 +255,7 @@ BuildRecord build(const Session& session) {
   measure_energy_after(record);
   measure_energy_before(record);
   record.stopwatch.finish("energies");
+  note_misses(options.size, record);
   note_findings(record);
   if (session.has("no-relax")) return record;
   if (!stop) stop.emplace();

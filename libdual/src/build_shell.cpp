@@ -1,8 +1,11 @@
 #include "trivalent/dual/build_shell.h"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "trivalent/dual/error.h"
+#include "trivalent/remesh/error.h"
 
 namespace trivalent::dual {
 namespace {
@@ -34,28 +37,38 @@ double given_scale(const TriMesh& mesh, const ShellSize& size) {
                          : scale_for_size(mesh, std::get<Scale>(size));
 }
 
-/// Remeshes to a target edge length in the unit of the mesh.
-void remesh_to(const TriMesh& mesh, const ShellOptions& options, double target, Shell& shell) {
-  shell.surface = remesh::remesh_by(mesh, options.method, target);
-  shell.target_edge_length = target;
-  ++shell.remeshings;
-}
-
 void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
   shell.scale = given_scale(mesh, options.size);
-  remesh_to(mesh, options, edge_length_for_bond(options.bond) / shell.scale, shell);
+  shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
+  shell.surface = remesh::remesh_by(mesh, options.method, shell.target_edge_length);
+  shell.remeshings = 1;
 }
 
 void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
   // Edges come out a little off their target, and chords of a curved surface cut its area.
   constexpr int most_remeshings = 3;
-  constexpr double tolerance = 0.02;
   double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
+  double least_miss = std::numeric_limits<double>::infinity();
   while (true) {
-    remesh_to(mesh, options, target, shell);
-    const double ratio = static_cast<double>(shell.surface.mesh.n_faces()) / atoms;
-    if (std::abs(ratio - 1.0) <= tolerance || shell.remeshings == most_remeshings) break;
-    if (shell.surface.stopped) break;
+    remesh::RemeshResult surface;
+    try {
+      surface = remesh::remesh_by(mesh, options.method, target);
+    } catch (const remesh::InvalidOption&) {
+      if (shell.remeshings == 0) throw;
+      break;  // the corrected length is more than a part can hold
+    }
+    ++shell.remeshings;
+    const bool stopped = surface.stopped;
+    const double ratio = static_cast<double>(surface.mesh.n_faces()) / atoms;
+    const double miss = std::abs(ratio - 1.0);
+    // Where a part of the surface is lost at one length and kept at the next, the last is not best.
+    if (miss < least_miss) {
+      least_miss = miss;
+      shell.surface = std::move(surface);
+      shell.target_edge_length = target;
+    }
+    shell.surface.stopped = stopped;
+    if (miss <= atom_count_tolerance || shell.remeshings == most_remeshings || stopped) break;
     target *= std::sqrt(ratio);
   }
   shell.scale = scale_for_size(shell.surface.mesh, MeanBond{options.bond});

@@ -85,6 +85,20 @@ TEST_F(BuildCommand, SaysHowToMendAShellThatCrossesItself) {
   EXPECT_NE(notes("mask_cone.off --atoms 2000").find("--repair wrap"), std::string::npos);
 }
 
+TEST_F(BuildCommand, SaysWhereTheShellIsNotWhatWasAskedFor) {
+  const auto notes = [this](const std::string& arguments) {
+    succeed("build " + arguments + " -o out --method paper --no-relax");
+    return report("out")["notes"].dump();
+  };
+  // The net shrinks along a needle thinner than its edges.
+  const std::string lost = notes("capsule:radius=0.1,length=6 --atoms 100");
+  EXPECT_NE(lost.find("not the 100 asked for"), std::string::npos);
+  EXPECT_NE(lost.find("left out"), std::string::npos);
+  const std::string met = notes("sphere --atoms 500");
+  EXPECT_EQ(met.find("asked for"), std::string::npos);
+  EXPECT_EQ(met.find("left out"), std::string::npos);
+}
+
 TEST_F(BuildCommand, RefusesAShellWithAtomsOnTopOfEachOther) {
   const std::string octahedron =
       "v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n"

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "small_meshes.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::dual {
 namespace {
@@ -29,6 +31,35 @@ TEST(BuildShell, MeetsANumberOfAtomsAndTheBond) {
   EXPECT_TRUE(report.is_trivalent());
   EXPECT_EQ(report.ring_excess, 0);
   EXPECT_EQ(static_cast<std::size_t>(report.atoms), shell.surface.mesh.n_faces());
+}
+
+TEST(BuildShell, TakesTheNearestOfSeveralAttemptsAtANumberOfAtoms) {
+  // So few atoms that each attempt misses by much, and not the last by least.
+  const remesh::TriMesh mesh = remesh::make_shape("sphere", {}, 0.1);
+  const auto options = [](int atoms) {
+    return ShellOptions{.size = AtomCount{atoms}, .method = few_iterations()};
+  };
+  for (const int atoms : {30, 36, 42, 60}) {
+    const Shell shell = build_shell(mesh, options(atoms));
+    double target = estimate_shell(mesh, options(atoms)).edge_length;
+    double least_miss = 1.0;
+    for (int attempt = 0; attempt < shell.remeshings; ++attempt) {
+      const double faces =
+          static_cast<double>(remesh::remesh_by(mesh, few_iterations(), target).mesh.n_faces());
+      least_miss = std::min(least_miss, std::abs(faces / atoms - 1.0));
+      target *= std::sqrt(faces / atoms);
+    }
+    const double miss = std::abs(static_cast<double>(shell.surface.mesh.n_faces()) / atoms - 1.0);
+    EXPECT_EQ(miss, least_miss) << atoms;
+  }
+}
+
+TEST(BuildShell, KeepsWhatItHasWhereACorrectionWouldBeTooLong) {
+  // The first attempt has too many atoms; fewer need edges that a sphere cannot hold.
+  const remesh::TriMesh sphere = remesh::make_shape("sphere", {}, 0.1);
+  const Shell shell = build_shell(sphere, {.size = AtomCount{24}, .method = few_iterations()});
+  EXPECT_EQ(shell.remeshings, 1);
+  EXPECT_GT(shell.surface.mesh.n_faces(), 24U);
 }
 
 TEST(BuildShell, MeetsAScaleWithEdgesNearTheTarget) {

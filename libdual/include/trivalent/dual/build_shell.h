@@ -14,6 +14,8 @@ namespace trivalent::dual {
 struct AtomCount {
   int atoms = 10000;  ///< >= 20
 };
+/// What a shell may have more or less than asked for.
+inline constexpr double atom_count_tolerance = 0.02;
 
 /// Size of a shell to be made.
 using ShellSize = std::variant<AtomCount, LongestSide, Scale>;
@@ -44,15 +46,16 @@ struct Shell {
   remesh::RemeshResult surface;
   Network network;
   double scale = 1.0;               ///< [Å per unit of the input]
-  double target_edge_length = 0.0;  ///< of the last remeshing [unit of the input]
+  double target_edge_length = 0.0;  ///< of the remeshing that was taken [unit of the input]
   int remeshings = 0;               ///< made until the number of atoms fitted
 };
 
 /// Remeshes a surface so that its dual has the wanted size and bonds, and takes the dual.
 ///
-/// Given a number of atoms, the edge length comes from the area, is corrected (three times at most)
-/// until the number is met to 2 %, and the mean bond is exactly the wanted one. Given a length or a
-/// scale, that is met exactly, and bonds follow the wanted length as closely as edges their target.
+/// Given a number of atoms, the edge length comes from the area, and is corrected until the number
+/// is met to atom_count_tolerance; of three remeshings the one that comes nearest is taken if none
+/// meets it. The mean bond is exactly the wanted one. Given a length or a scale, that is met
+/// exactly, and bonds follow the wanted length as closely as edges their target.
 ///
 /// @throws InvalidOption         if size or bond is out of its range.
 /// @throws InvalidNetwork        if the mesh has no faces or no extent, or the remeshed one no
