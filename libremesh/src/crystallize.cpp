@@ -60,6 +60,11 @@ constexpr int mending_sweeps = 20;   // before what they cannot mend is found
 constexpr double sheet_reach = 0.1;
 /// Parts thinner than this [target lengths] are inflated for a coarse net.
 constexpr double thinnest_for_coarse = 3.0;
+/// The same if there is none: nets on limbs thicker than needed cross themselves at their own size.
+constexpr double thinnest_for_fine = 1.5;
+
+/// Of the faces: how many may be flawed.
+constexpr double most_astray = 0.003;
 
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int fewest_coarse_vertices = 150;
@@ -78,7 +83,6 @@ std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
 /// cross none, and no part of the surface is left out.
 bool is_sound(const Net& net, const TriMesh& surface, double length) {
   constexpr double least_cosine = 0.25;
-  constexpr double most_astray = 0.003;     // of the faces
   constexpr double farthest_covered = 1.6;  // edges: tips may be cut off, but no fingers
   int astray = crossings(net.mesh);
   for (const auto f : net.mesh.faces()) {
@@ -153,11 +157,22 @@ class Crystallization {
     return crossings_of_net > 0 && crossings_of_net > crossings(surface_);
   }
 
-  /// Crossings, and vertices of the surface that are left out.
-  [[nodiscard]] std::ptrdiff_t flaws(const TriMesh& net) const {
-    const double far = options_.target_edge_length;
-    return crossings(net) + std::ranges::count_if(distances_from(surface_, net),
-                                                  [&](double distance) { return distance > far; });
+  /// Faces that would fit the part of the surface that is farther from the net than an edge.
+  [[nodiscard]] double faces_left_out(const TriMesh& net) const {
+    const double m = options_.target_edge_length;
+    const std::vector<double> distances = distances_from(surface_, net);
+    double area = 0.0;
+    for (const auto f : surface_.faces()) {
+      const auto is_far = [&](const auto v) { return distances[index(v)] > m; };
+      if (std::ranges::any_of(f.vertices(), is_far)) area += surface_.calc_face_area(f);
+    }
+    return area / (std::sqrt(3.0) / 4.0 * m * m);
+  }
+
+  /// How far a net is from one that covers the surface and does not cross itself, in faces.
+  [[nodiscard]] double flaws(const TriMesh& net) const {
+    constexpr double crossing = 10.0;  // the ends of limbs may be cut off rather than overlap
+    return crossing * crossings(net) + faces_left_out(net);
   }
 
   [[nodiscard]] RemeshOptions paper_options(double length) const {
@@ -234,10 +249,38 @@ class Crystallization {
   }
 
   std::unique_ptr<Net> from_fine_net() {
-    std::unique_ptr<Net> net = first_net(surface_, options_.target_edge_length);
+    std::unique_ptr<Net> net = fine_net_from(surface_);
+    const double flaws_of_net = flaws(net->mesh);
+    if (stopped_ || flaws_of_net <= most_astray * static_cast<double>(net->mesh.n_faces()))
+      return net;
+    // Plates are lost from their rims inwards, unless they are thick at first.
+    TriMesh surface = surface_;
+    const auto room = inflated(ConstrainedMesh(surface, creases_),
+                               thinnest_for_fine * options_.target_edge_length);
+    if (!room) return net;
+    std::unique_ptr<Net> other = fine_net_from(*room);
+    return flaws(other->mesh) < flaws_of_net ? std::move(other) : std::move(net);
+  }
+
+  /// Annealed from the start, and mended if it leaves something out and is the better for it.
+  ///
+  /// @param room  The surface, or an inflated copy, on which the net begins.
+  std::unique_ptr<Net> fine_net_from(const TriMesh& room) {
+    const double m = options_.target_edge_length;
+    auto net = std::make_unique<Net>(surface_, creases_);
+    net->on_surface.restore(carried_over(first_net(room, m)->on_surface.state(), room, surface_));
+    net->on_surface.stay_on_sheets(sheet_reach * m);
     rounds_ += rounds_of(only_stage);
-    anneal_net(*net, options_.target_edge_length, only_stage);
+    anneal_net(*net, m, only_stage);
+    const ConstrainedMesh::State annealed = net->on_surface.state();
     finish(*net);
+    if (faces_left_out(net->mesh) == 0.0) return net;
+    const double flaws_of_net = flaws(net->mesh);
+    const ConstrainedMesh::State finished = net->on_surface.state();
+    net->on_surface.restore(annealed);
+    mend_thin_parts(net->on_surface, surface_, m);
+    finish(*net);
+    if (flaws(net->mesh) >= flaws_of_net) net->on_surface.restore(finished);
     return net;
   }
 

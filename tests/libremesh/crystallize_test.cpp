@@ -77,6 +77,20 @@ TEST(CrystallizeNet, LiesOnBothSidesOfThinPlates) {
   EXPECT_LT(measure_distance(result.mesh, plate).max(), 1.2 * target);
 }
 
+TEST(CrystallizeNet, KeepsPlatesThatHaveNoRoomForACoarseNet) {
+  // 1.2 times as thick as the edges are long.
+  TriMesh plate = make_shape("sphere", {}, 0.05);
+  for (const auto v : plate.vertices()) plate.point(v).z() *= 0.1;
+  const double target = 0.17;
+  const RemeshResult result = crystallize(plate, quick(target));
+  EXPECT_FALSE(result.coarse_start);
+  const MeshQuality quality = measure_quality(result.mesh);
+  EXPECT_EQ(quality.self_intersections, 0);
+  EXPECT_EQ(quality.euler_characteristic, 2);
+  EXPECT_LT(quality.edge_length.relative(), 0.08);
+  EXPECT_LT(measure_distance(result.mesh, plate).max(), 1.5 * target);
+}
+
 TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
   std::vector<std::vector<Eigen::Vector3d>> nets;
