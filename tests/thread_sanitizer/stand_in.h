@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -111,6 +112,12 @@ Value parallel_reduce(const blocked_range<Index>& range, const Value& identity, 
   Value sum = identity;
   for (Value& value : values) sum = join(std::move(sum), std::move(value));
   return sum;
+}
+
+template <typename... Tasks>
+void parallel_invoke(const Tasks&... tasks) {
+  const std::array<std::function<void()>, sizeof...(Tasks)> all = {tasks...};
+  parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) { all[i](); });
 }
 
 template <typename Iterator, typename... Compare>
