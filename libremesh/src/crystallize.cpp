@@ -135,7 +135,7 @@ class Crystallization {
       // Some thin part was still too thin for the coarse net. But a net without crossings may have
       // lost that part.
       std::unique_ptr<Net> other = from_fine_net();
-      if (flaws(other->mesh) < flaws(net->mesh)) {
+      if (flaws(other->mesh).sum() < flaws(net->mesh).sum()) {
         net = std::move(other);
         coarse_start = false;
       }
@@ -169,10 +169,18 @@ class Crystallization {
     return area / (std::sqrt(3.0) / 4.0 * m * m);
   }
 
-  /// How far a net is from one that covers the surface and does not cross itself, in faces.
-  [[nodiscard]] double flaws(const TriMesh& net) const {
-    constexpr double crossing = 10.0;  // the ends of limbs may be cut off rather than overlap
-    return crossing * crossings(net) + faces_left_out(net);
+  /// What is wrong with a net, in faces.
+  struct Flaws {
+    int crossings;
+    double left_out;
+    [[nodiscard]] double sum() const { return crossings + left_out; }
+    /// Whether more is covered, and not by faces that cross.
+    [[nodiscard]] bool is_better_than(const Flaws& other) const {
+      return crossings <= other.crossings && left_out < other.left_out;
+    }
+  };
+  [[nodiscard]] Flaws flaws(const TriMesh& net) const {
+    return {crossings(net), faces_left_out(net)};
   }
 
   [[nodiscard]] RemeshOptions paper_options(double length) const {
@@ -249,38 +257,36 @@ class Crystallization {
   }
 
   std::unique_ptr<Net> from_fine_net() {
-    std::unique_ptr<Net> net = fine_net_from(surface_);
-    const double flaws_of_net = flaws(net->mesh);
-    if (stopped_ || flaws_of_net <= most_astray * static_cast<double>(net->mesh.n_faces()))
-      return net;
+    const double m = options_.target_edge_length;
+    std::unique_ptr<Net> net = annealed_fine_net(first_net(surface_, m));
+    const Flaws flaws_of_net = flaws(net->mesh);
+    const double accepted = most_astray * static_cast<double>(net->mesh.n_faces());
+    if (stopped_ || flaws_of_net.left_out <= accepted) return net;
     // Plates are lost from their rims inwards, unless they are thick at first.
-    TriMesh surface = surface_;
-    const auto room = inflated(ConstrainedMesh(surface, creases_),
-                               thinnest_for_fine * options_.target_edge_length);
+    auto other = std::make_unique<Net>(surface_, creases_);
+    const auto room = inflated(other->on_surface, thinnest_for_fine * m);
     if (!room) return net;
-    std::unique_ptr<Net> other = fine_net_from(*room);
-    return flaws(other->mesh) < flaws_of_net ? std::move(other) : std::move(net);
+    other->on_surface.restore(
+        carried_over(first_net(*room, m)->on_surface.state(), *room, surface_));
+    other->on_surface.stay_on_sheets(sheet_reach * m);
+    other = annealed_fine_net(std::move(other));
+    return flaws(other->mesh).is_better_than(flaws_of_net) ? std::move(other) : std::move(net);
   }
 
   /// Annealed from the start, and mended if it leaves something out and is the better for it.
-  ///
-  /// @param room  The surface, or an inflated copy, on which the net begins.
-  std::unique_ptr<Net> fine_net_from(const TriMesh& room) {
+  std::unique_ptr<Net> annealed_fine_net(std::unique_ptr<Net> net) {
     const double m = options_.target_edge_length;
-    auto net = std::make_unique<Net>(surface_, creases_);
-    net->on_surface.restore(carried_over(first_net(room, m)->on_surface.state(), room, surface_));
-    net->on_surface.stay_on_sheets(sheet_reach * m);
     rounds_ += rounds_of(only_stage);
     anneal_net(*net, m, only_stage);
     const ConstrainedMesh::State annealed = net->on_surface.state();
     finish(*net);
-    if (faces_left_out(net->mesh) == 0.0) return net;
-    const double flaws_of_net = flaws(net->mesh);
+    const Flaws flaws_of_net = flaws(net->mesh);
+    if (flaws_of_net.left_out == 0.0) return net;
     const ConstrainedMesh::State finished = net->on_surface.state();
     net->on_surface.restore(annealed);
     mend_thin_parts(net->on_surface, surface_, m);
     finish(*net);
-    if (flaws(net->mesh) >= flaws_of_net) net->on_surface.restore(finished);
+    if (!flaws(net->mesh).is_better_than(flaws_of_net)) net->on_surface.restore(finished);
     return net;
   }
 
