@@ -2,12 +2,12 @@
 #include <cstdio>
 #include <exception>
 
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/dual/carbon_atoms.h"
-#include "trivalent/dual/lammps_data.h"
 #include "trivalent/dual/network_checks.h"
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/xyz.h"
 #include "trivalent/remesh/shapes.h"
+#include "trivalent/shell/build_shell.h"
 
 namespace dual = trivalent::dual;
 

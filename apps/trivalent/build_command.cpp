@@ -14,14 +14,10 @@
 #include "shell_files.h"
 #include "size_options.h"
 #include "surface_input.h"
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/dual/carbon_atoms.h"
-#include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/hydrogen.h"
-#include "trivalent/dual/lammps_package.h"
-#include "trivalent/dual/shell_page.h"
-#include "trivalent/dual/vtp.h"
+#include "trivalent/formats/lammps_package.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/potentials/relax.h"
@@ -29,6 +25,10 @@
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/remesh/whole_file.h"
+#include "trivalent/shell/build_shell.h"
+#include "trivalent/view/energy_ply.h"
+#include "trivalent/view/shell_page.h"
+#include "trivalent/view/vtp.h"
 
 namespace trivalent::apps {
 namespace {

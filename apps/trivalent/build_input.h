@@ -5,8 +5,8 @@
 
 #include "build_plan.h"
 #include "session.h"
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/remesh/mesh.h"
+#include "trivalent/shell/build_shell.h"
 
 namespace trivalent::apps {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "reports.h"
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/remesh/mesh_components.h"
+#include "trivalent/shell/build_shell.h"
 
 namespace trivalent::apps {
 

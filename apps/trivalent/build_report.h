@@ -9,14 +9,14 @@
 #include "relax_report.h"
 #include "reports.h"
 #include "session.h"
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/dual/hydrogen.h"
 #include "trivalent/dual/network_checks.h"
-#include "trivalent/dual/shell_page.h"
-#include "trivalent/dual/shell_state.h"
 #include "trivalent/potentials/energy_forces.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/shell/build_shell.h"
+#include "trivalent/view/shell_page.h"
+#include "trivalent/view/shell_state.h"
 
 namespace trivalent::apps {
 

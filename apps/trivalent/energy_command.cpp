@@ -9,9 +9,9 @@
 #include "session.h"
 #include "shell_files.h"
 #include "structure.h"
-#include "trivalent/dual/energy_ply.h"
 #include "trivalent/dual/energy_summary.h"
-#include "trivalent/dual/vtp.h"
+#include "trivalent/view/energy_ply.h"
+#include "trivalent/view/vtp.h"
 
 namespace trivalent::apps {
 namespace {

@@ -7,7 +7,7 @@
 #include "session.h"
 #include "shell_files.h"
 #include "structure.h"
-#include "trivalent/dual/lammps_package.h"
+#include "trivalent/formats/lammps_package.h"
 #include "trivalent/potentials/rebo.h"
 
 namespace trivalent::apps {

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "trivalent/dual/lammps_data.h"
-#include "trivalent/dual/lammps_deck.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/lammps_deck.h"
 #include "trivalent/remesh/whole_file.h"
 
 namespace trivalent::apps {

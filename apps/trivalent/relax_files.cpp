@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/xyz.h"
 
 namespace trivalent::apps {
 namespace {

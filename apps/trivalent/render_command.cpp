@@ -6,7 +6,7 @@
 #include "report_page.h"
 #include "session.h"
 #include "states.h"
-#include "trivalent/dual/picture.h"
+#include "trivalent/view/picture.h"
 
 namespace trivalent::apps {
 namespace {

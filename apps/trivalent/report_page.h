@@ -5,7 +5,7 @@
 
 #include "reports.h"
 #include "terminal.h"
-#include "trivalent/dual/shell_page.h"
+#include "trivalent/view/shell_page.h"
 
 namespace trivalent::apps {
 

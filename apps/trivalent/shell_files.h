@@ -5,9 +5,9 @@
 #include <string>
 
 #include "session.h"
-#include "trivalent/dual/lammps_data.h"
 #include "trivalent/dual/network.h"
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/xyz.h"
 #include "trivalent/potentials/energy_forces.h"
 
 namespace trivalent::apps {

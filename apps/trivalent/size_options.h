@@ -1,7 +1,7 @@
 #pragma once
 
 #include "session.h"
-#include "trivalent/dual/build_shell.h"
+#include "trivalent/shell/build_shell.h"
 
 namespace trivalent::apps {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "session.h"
-#include "trivalent/dual/shell_state.h"
+#include "trivalent/view/shell_state.h"
 
 namespace trivalent::apps {
 

@@ -4,7 +4,7 @@
 #include "shell_files.h"
 #include "size_options.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/lammps_data.h"
+#include "trivalent/formats/lammps_data.h"
 
 namespace trivalent::apps {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "session.h"
 #include "trivalent/dual/network.h"
-#include "trivalent/dual/shell_state.h"
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/xyz.h"
+#include "trivalent/view/shell_state.h"
 
 namespace trivalent::apps {
 

@@ -6,7 +6,7 @@
 #include "session.h"
 #include "states.h"
 #include "trivalent/dual/energy_summary.h"
-#include "trivalent/dual/shell_page.h"
+#include "trivalent/view/shell_page.h"
 
 namespace trivalent::apps {
 namespace {

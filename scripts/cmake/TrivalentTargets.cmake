@@ -3,7 +3,8 @@
 function(trivalent_warnings target)
   # gcc's -Wmaybe-uninitialized sees Eigen vectors that OpenMesh value-initializes as uninitialized.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+    # Its bounds checks of std::string literals, wrong in gcc 12, are no longer silent once precompiled.
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>"
     $<$<BOOL:${TRIVALENT_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
@@ -24,9 +25,29 @@ function(trivalent_add_library name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
+# Compiles once what nearly every file of a target includes: half of the build time otherwise.
+# trivalent_precompile(target [EIGEN | MESH | PROGRAM] [TESTS]): vectors; meshes too; options and JSON too.
+function(trivalent_precompile target headers)
+  set(list <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <ostream> <span>
+           <sstream> <string> <variant> <vector>)
+  if(NOT headers STREQUAL "EIGEN")
+    # In this order: see mesh.h.
+    list(APPEND list <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh> <Eigen/Core>
+                     <OpenMesh/Core/Geometry/EigenVectorT.hh> <OpenMesh/Core/Utils/PropertyManager.hh>)
+  endif()
+  list(APPEND list <Eigen/Core>)
+  if(headers STREQUAL "PROGRAM")
+    list(APPEND list <boost/program_options.hpp> <nlohmann/json.hpp>)
+  endif()
+  if("TESTS" IN_LIST ARGN)
+    list(APPEND list <gtest/gtest.h>)
+  endif()
+  target_precompile_headers(${target} PRIVATE ${list})
+endfunction()
+
 # trivalent_add_test(libremesh_tests SOURCES a_test.cpp ... LIBRARIES trivalent::remesh)
 function(trivalent_add_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   trivalent_warnings(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
@@ -34,6 +55,7 @@ function(trivalent_add_test name)
     TRIVALENT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     TRIVALENT_MESHES="${TRIVALENT_MESHES}")
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
+  trivalent_precompile(${name} ${ARG_HEADERS} TESTS)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 

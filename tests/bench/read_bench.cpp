@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "surface_projector.h"
+#include "mesh/surface_projector.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_repair.h"
 

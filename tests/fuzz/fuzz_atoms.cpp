@@ -9,8 +9,8 @@
 #include <string>
 
 #include "trivalent/dual/error.h"
-#include "trivalent/dual/lammps_data.h"
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/xyz.h"
 
 namespace {
 

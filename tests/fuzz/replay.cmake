@@ -22,7 +22,7 @@ foreach(kind off obj ply stl vtp xyz)
   target_compile_definitions(replay_${kind} PRIVATE FUZZED_NAME="a.${kind}")
 endforeach()
 trivalent_add_replay(repair fuzz_repair.cpp trivalent::remesh)
-trivalent_add_replay(atoms fuzz_atoms.cpp trivalent::dual)
+trivalent_add_replay(atoms fuzz_atoms.cpp trivalent::formats)
 trivalent_add_replay(options fuzz_options.cpp trivalent::remesh Boost::program_options
                      nlohmann_json::nlohmann_json TBB::tbb)
 set(apps ${PROJECT_SOURCE_DIR}/apps/trivalent)

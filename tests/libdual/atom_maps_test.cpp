@@ -1,4 +1,4 @@
-#include "trivalent/dual/atom_maps.h"
+#include "trivalent/view/atom_maps.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "small_meshes.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/graphene.h"
-#include "trivalent/dual/shell_state.h"
+#include "trivalent/view/shell_state.h"
 
 namespace trivalent::dual {
 namespace {

@@ -1,4 +1,4 @@
-#include "trivalent/dual/build_shell.h"
+#include "trivalent/shell/build_shell.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "trivalent/dual/color_scale.h"
+#include "trivalent/view/color_scale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "trivalent/dual/energy_ply.h"
+#include "trivalent/view/energy_ply.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "trivalent/dual/lammps_data.h"
+#include "trivalent/formats/lammps_data.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "trivalent/dual/lammps_deck.h"
+#include "trivalent/formats/lammps_deck.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "trivalent/dual/lammps_package.h"
+#include "trivalent/formats/lammps_package.h"
 
 #include <gtest/gtest.h>
 

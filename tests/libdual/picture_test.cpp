@@ -1,4 +1,4 @@
-#include "trivalent/dual/picture.h"
+#include "trivalent/view/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "trivalent/dual/shell_page.h"
+#include "trivalent/view/shell_page.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

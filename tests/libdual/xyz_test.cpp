@@ -1,4 +1,4 @@
-#include "trivalent/dual/xyz.h"
+#include "trivalent/formats/xyz.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

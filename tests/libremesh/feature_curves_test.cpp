@@ -1,4 +1,4 @@
-#include "feature_curves.h"
+#include "equalize/feature_curves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "inflation.h"
+#include "crystal/inflation.h"
 
 #include <gtest/gtest.h>
 

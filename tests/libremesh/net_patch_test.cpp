@@ -1,11 +1,11 @@
-#include "net_patch.h"
+#include "crystal/net_patch.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "spring_relaxation.h"
-#include "spring_step.h"
+#include "crystal/spring_relaxation.h"
+#include "crystal/spring_step.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {

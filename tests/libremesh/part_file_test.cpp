@@ -1,4 +1,4 @@
-#include "part_file.h"
+#include "io/part_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,13 +1,13 @@
-#include "relaxation.h"
+#include "equalize/relaxation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "k_ring_laplacian.h"
+#include "equalize/k_ring_laplacian.h"
+#include "equalize/sliding.h"
 #include "mesh_fixtures.h"
-#include "sliding.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {

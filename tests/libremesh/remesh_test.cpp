@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/surface_projector.h"
 #include "mesh_fixtures.h"
-#include "surface_projector.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/remesh/shapes.h"

@@ -1,8 +1,8 @@
-#include "stellar.h"
+#include "equalize/stellar.h"
 
 #include <gtest/gtest.h>
 
-#include "face_guard.h"
+#include "equalize/face_guard.h"
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "surface_projector.h"
+#include "mesh/surface_projector.h"
 
 #include <gtest/gtest.h>
 

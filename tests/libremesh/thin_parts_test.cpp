@@ -1,4 +1,4 @@
-#include "thin_parts.h"
+#include "crystal/thin_parts.h"
 
 #include <gtest/gtest.h>
 

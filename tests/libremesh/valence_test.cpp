@@ -1,4 +1,4 @@
-#include "valence.h"
+#include "equalize/valence.h"
 
 #include <gtest/gtest.h>
 

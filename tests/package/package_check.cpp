@@ -1,11 +1,11 @@
 // Uses every library of the package once: a sphere, remeshed, its dual, its energy.
 #include <cstdio>
 
-#include "trivalent/dual/build_shell.h"
 #include "trivalent/dual/carbon_atoms.h"
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/remesh/shapes.h"
+#include "trivalent/shell/build_shell.h"
 
 int main() {
   namespace dual = trivalent::dual;

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivalent/dual/error.h"
+#include "trivalent/formats/digits.h"
+#include "trivalent/potentials/atoms.h"
+
+namespace trivalent::dual {
+
+/// LAMMPS's atom_style: which columns the section Atoms has.
+enum class AtomStyle {
+  atomic,    ///< id type x y z
+  molecular  ///< id molecule type x y z, and a section Bonds
+};
+
+/// What a LAMMPS data file holds for us.
+struct LammpsData {
+  potentials::Atoms atoms;
+  std::vector<std::array<int, 2>> bonds = {};  ///< atom indices from 0
+  std::vector<std::string> notes = {};         ///< reading: one sentence per kind of thing left out
+};
+
+/// Atoms [begin, end).
+struct AtomRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct LammpsDataOptions {
+  AtomStyle style = AtomStyle::atomic;  ///< atomic leaves the bonds out
+  bool angles = false;                  ///< molecular style: also all pairs of bonds at an atom
+  Digits digits = Digits::ten_decimals;
+  std::string title =
+      "carbon shell";  ///< first line of the file [at most 200 characters, one line]
+  /// Only these atoms, for files that `read_data ... add merge` joins; atomic style only.
+  std::optional<AtomRange> part = {};
+};
+
+/// LAMMPS as distributions build it counts atoms with 32 bits.
+inline constexpr std::uint64_t most_lammps_atoms = 2147483647;
+
+/// @throws InvalidNetwork if there are more atoms than that.
+void require_lammps_ids(std::uint64_t atoms);
+
+/// Writes a data file [LAMMPS]: ids are 1 to n in order, C is type 1 and H type 2 (if there are
+/// any). Atoms that are periodic in no direction and have no box get a padded one.
+///
+/// @throws InvalidNetwork if a coordinate is not finite, species are not one per atom, a bond names
+///   an atom that does not exist, or there are too many atoms.
+/// @throws InvalidOption  if the box's cell is not LAMMPS's (a along x, b in the xy plane, a
+///   right-handed cell, tilts of at most half a side), the title is too long or not one line, or a
+///   part is not one of the atoms or asked for in molecular style.
+void write_lammps_data(std::ostream& out, const LammpsData& data,
+                       const LammpsDataOptions& options = {});
+
+/// The same into a file, which appears whole or not at all.
+///
+/// @throws FileError if the file cannot be written.
+void write_lammps_data(const std::filesystem::path& path, const LammpsData& data,
+                       const LammpsDataOptions& options = {});
+
+/// Reads a data file of atom_style atomic, charge, molecular or full, also compressed with gzip.
+/// Elements come from the masses. Atoms are ordered by id; velocities and everything about force
+/// fields is left out and noted. A data file does not say which directions are periodic: the box is
+/// taken as periodic in all three, as LAMMPS does unless it is told otherwise.
+///
+/// @throws FileError if the file is missing, unreadable, cut short or malformed, has another
+/// atom_style,
+///   masses of other elements than C and H, or atoms twice; the message names the line.
+[[nodiscard]] LammpsData read_lammps_data(const std::filesystem::path& path);
+
+}  // namespace trivalent::dual

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "trivalent/formats/lammps_data.h"
+
+namespace trivalent::dual {
+
+enum class Compression { none, gzip };
+
+struct LammpsPackageOptions {
+  LammpsDataOptions data = {};
+  std::string name = "shell";              ///< of the data file, without extension
+  std::string potential_file = "CH.rebo";  ///< as pair_coeff finds it
+  Compression compression = Compression::none;
+  std::size_t atoms_per_file = 50'000'000;  ///< >= 1; more atoms go into several files
+};
+
+/// Writes a folder with which LAMMPS can start: the data file (several if there are many atoms),
+/// the input scripts in.check, in.relax and in.md (see lammps_deck.h), and a README.md that says
+/// how to run them.
+///
+/// @param folder  exists
+/// @param energy  of the atoms under REBO [eV], for in.check
+/// @return the names of the files, in the folder.
+/// @throws InvalidNetwork, InvalidOption as write_lammps_data and write_lammps_check; InvalidOption
+///   also if atoms_per_file is 0, or the atoms need several files in molecular style.
+/// @throws FileError if a file cannot be written.
+std::vector<std::string> write_lammps_package(const std::filesystem::path& folder,
+                                              const LammpsData& data, double energy,
+                                              const LammpsPackageOptions& options = {});
+
+}  // namespace trivalent::dual

@@ -1,0 +1,165 @@
+#include <ostream>
+#include <set>
+#include <string_view>
+
+#include "trivalent/dual/check_atoms.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/formats/text_file.h"
+#include "trivalent/formats/xyz.h"
+#include "trivalent/remesh/whole_file.h"
+#include "xyz_names.h"
+
+namespace trivalent::dual {
+namespace {
+
+std::string_view symbol(potentials::Species species) {
+  return species == potentials::Species::carbon ? "C" : "H";
+}
+
+/// Letter and number of components of a column's values in the key Properties.
+struct Shape {
+  char type;
+  int components;
+};
+
+Shape shape_of(const Column& column) {
+  constexpr Shape shapes[] = {{'R', 1}, {'I', 1}, {'R', 3}, {'I', 3}};
+  return shapes[column.values.index()];
+}
+
+void check_names(const XyzFrame& frame) {
+  std::set<std::string> taken = {"species", "pos"};
+  for (const Column& column : frame.columns) {
+    if (!is_xyz_name(column.name) || !taken.insert(column.name).second) {
+      throw InvalidOption(
+          concat("write_xyz: ", quoted(column.name), " is no free name for a column"));
+    }
+  }
+  taken = {"Lattice", "Origin", "Properties", "pbc"};
+  for (const HeaderEntry& entry : frame.header) {
+    if (!is_xyz_name(entry.key) || !taken.insert(entry.key).second) {
+      throw InvalidOption(concat("write_xyz: ", quoted(entry.key), " is no free name for a key"));
+    }
+  }
+}
+
+void check_frame(const XyzFrame& frame) {
+  check_atoms("write_xyz", frame.atoms);
+  check_names(frame);
+  for (const Column& column : frame.columns) {
+    const std::size_t size =
+        std::visit([](const auto& values) { return values.size(); }, column.values);
+    if (size == frame.atoms.size()) continue;
+    throw InvalidNetwork(concat("write_xyz: column ", column.name, " has ", size, " values for ",
+                                frame.atoms.size(), " atoms"));
+  }
+}
+
+void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digits) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) line += ' ';
+    append_real(line, vector[axis], digits);
+  }
+}
+
+void append_text(std::string& line, std::string_view text) {
+  line += '"';
+  for (const char character : text) {
+    if (character == '"' || character == '\\') line += '\\';
+    // The header is one line.
+    line += character == '\n' || character == '\r' ? ' ' : character;
+  }
+  line += '"';
+}
+
+void append_box(std::string& line, const potentials::Box& box) {
+  line += "Lattice=\"";
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) line += ' ';
+    append_vector(line, box.cell.col(i), Digits::seventeen_significant);
+  }
+  line += "\" Origin=\"";
+  append_vector(line, box.origin, Digits::seventeen_significant);
+  line += '"';
+}
+
+void append_properties(std::string& line, const std::vector<Column>& columns) {
+  line += " Properties=species:S:1:pos:R:3";
+  for (const Column& column : columns) {
+    const auto [type, components] = shape_of(column);
+    line += concat(':', column.name, ':', type, ':', components);
+  }
+}
+
+void write_header(std::ostream& out, const XyzFrame& frame) {
+  const potentials::Box box = box_to_write(frame.atoms);
+  std::string line;
+  append_box(line, box);
+  append_properties(line, frame.columns);
+  line += " pbc=\"";
+  for (int i = 0; i < 3; ++i) line += concat(i > 0 ? " " : "", box.periodic[i] ? 'T' : 'F');
+  line += '"';
+  for (const HeaderEntry& entry : frame.header) {
+    line += concat(' ', entry.key, '=');
+    if (const double* number = std::get_if<double>(&entry.value)) {
+      append_real(line, *number, Digits::seventeen_significant);
+    } else {
+      append_text(line, std::get<std::string>(entry.value));
+    }
+  }
+  out << frame.atoms.size() << '\n' << line << '\n';
+}
+
+void append_value(std::string& line, double value, Digits digits) {
+  append_real(line, value, digits);
+}
+void append_value(std::string& line, int value, Digits) { append_integer(line, value); }
+void append_value(std::string& line, const Eigen::Vector3d& value, Digits digits) {
+  append_vector(line, value, digits);
+}
+void append_value(std::string& line, const std::array<int, 3>& value, Digits) {
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) line += ' ';
+    append_integer(line, value[i]);
+  }
+}
+
+void write_rows(std::ostream& out, const XyzFrame& frame, Digits digits) {
+  std::string line;
+  for (std::size_t i = 0; i < frame.atoms.size(); ++i) {
+    line.clear();
+    line += symbol(frame.atoms.species[i]);
+    line += ' ';
+    append_vector(line, frame.atoms.positions[i], digits);
+    for (const Column& column : frame.columns) {
+      line += ' ';
+      std::visit([&](const auto& values) { append_value(line, values[i], digits); }, column.values);
+    }
+    line += '\n';
+    out.write(line.data(), static_cast<std::streamsize>(line.size()));
+  }
+}
+
+}  // namespace
+
+std::vector<Column> network_columns(const Network& network) {
+  return {{.name = "coordination", .values = coordinations(network)},
+          {.name = "rings", .values = ring_sizes_at_atoms(network)}};
+}
+
+std::vector<Column> energy_columns(const potentials::EnergyForces& result) {
+  return {{.name = "energies", .values = result.energies},
+          {.name = "forces", .values = result.forces}};
+}
+
+void write_xyz(std::ostream& out, const XyzFrame& frame, Digits digits) {
+  check_frame(frame);
+  write_header(out, frame);
+  write_rows(out, frame, digits);
+}
+
+void write_xyz(const std::filesystem::path& path, const XyzFrame& frame, Digits digits) {
+  remesh::write_whole_file(path, [&](std::ostream& out) { write_xyz(out, frame, digits); });
+}
+
+}  // namespace trivalent::dual

@@ -1,0 +1,112 @@
+#include "trivalent/shell/build_shell.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "trivalent/dual/error.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::dual {
+namespace {
+
+using remesh::TriMesh;
+
+/// Area of an equilateral triangle of edge 1.
+const double unit_face_area = std::sqrt(3.0) / 4.0;
+
+void check_options(const TriMesh& mesh, const ShellOptions& options) {
+  if (mesh.n_faces() == 0) throw InvalidNetwork("build_shell: the mesh has no faces");
+  if (!std::isfinite(options.bond) || options.bond <= 0.0) {
+    throw InvalidOption(
+        concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
+  }
+  // The icosahedron's dual, C20, is the smallest fullerene.
+  constexpr int fewest_atoms = 20;
+  const auto* count = std::get_if<AtomCount>(&options.size);
+  if (count != nullptr && count->atoms < fewest_atoms) {
+    throw InvalidOption(
+        concat("build_shell: a shell needs at least ", fewest_atoms, " atoms, not ", count->atoms));
+  }
+}
+
+/// [Å per unit of the mesh], where the size says it.
+double given_scale(const TriMesh& mesh, const ShellSize& size) {
+  const auto* side = std::get_if<LongestSide>(&size);
+  return side != nullptr ? scale_for_size(mesh, *side)
+                         : scale_for_size(mesh, std::get<Scale>(size));
+}
+
+void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
+  shell.scale = given_scale(mesh, options.size);
+  shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
+  shell.surface = remesh::remesh_by(mesh, options.method, shell.target_edge_length);
+  shell.remeshings = 1;
+}
+
+void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
+  // Edges come out a little off their target, and chords of a curved surface cut its area.
+  constexpr int most_remeshings = 3;
+  double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
+  double least_miss = std::numeric_limits<double>::infinity();
+  while (true) {
+    remesh::RemeshResult surface;
+    try {
+      surface = remesh::remesh_by(mesh, options.method, target);
+    } catch (const remesh::InvalidOption&) {
+      if (shell.remeshings == 0) throw;
+      break;  // the corrected length is more than a part can hold
+    }
+    ++shell.remeshings;
+    const bool stopped = surface.stopped;
+    const double ratio = static_cast<double>(surface.mesh.n_faces()) / atoms;
+    const double miss = std::abs(ratio - 1.0);
+    // Where a part of the surface is lost at one length and kept at the next, the last is not best.
+    if (miss < least_miss) {
+      least_miss = miss;
+      shell.surface = std::move(surface);
+      shell.target_edge_length = target;
+    }
+    shell.surface.stopped = stopped;
+    if (miss <= atom_count_tolerance || shell.remeshings == most_remeshings || stopped) break;
+    target *= std::sqrt(ratio);
+  }
+  shell.scale = scale_for_size(shell.surface.mesh, MeanBond{options.bond});
+}
+
+}  // namespace
+
+ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
+  check_options(mesh, options);
+  const double area = remesh::surface_area(mesh);
+  if (!(area > 0.0) || !std::isfinite(area)) {
+    throw InvalidNetwork(concat("estimate_shell: the mesh has the area ", area,
+                                "; scale it to ordinary numbers, or remove flat parts"));
+  }
+  ShellEstimate estimate;
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+    estimate.atoms = count->atoms;
+    estimate.edge_length = std::sqrt(area / (unit_face_area * estimate.atoms));
+    estimate.scale = edge_length_for_bond(options.bond) / estimate.edge_length;
+  } else {
+    estimate.scale = given_scale(mesh, options.size);
+    estimate.edge_length = edge_length_for_bond(options.bond) / estimate.scale;
+    estimate.atoms = area / (unit_face_area * estimate.edge_length * estimate.edge_length);
+  }
+  return estimate;
+}
+
+Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
+  check_options(mesh, options);
+  Shell shell;
+  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+    fit_atom_count(mesh, options, count->atoms, shell);
+  } else {
+    fit_scale(mesh, options, shell);
+  }
+  remesh::scale(shell.surface.mesh, shell.scale);
+  shell.network = build_dual(shell.surface.mesh);
+  return shell;
+}
+
+}  // namespace trivalent::dual

@@ -1,0 +1,295 @@
+#include "crystal/annealing.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "crystal/net_patch.h"
+#include "crystal/spring_relaxation.h"
+#include "equalize/valence.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+constexpr int patch_rings = 3;  // that move; a fourth one is fixed
+constexpr int sweeps = 8;       // over a patch before moves are tried
+/// A move is relaxed a few sweeps at a time, and given up once its energy is so much too high that
+/// further sweeps would hardly ever bring it down. Tighter bounds lose the moves that need many
+/// sweeps, and end in worse nets.
+struct Trial {
+  int sweeps;
+  int rings;  // that move
+  double hopeless;
+};
+constexpr std::array<Trial, 4> trials = {
+    {{3, 2, 0.1}, {2, patch_rings, 0.03}, {2, patch_rings, 0.01}, {2, patch_rings, 0.0}}};
+/// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
+constexpr int most_new_disorder = 2;
+constexpr double least_gain = 1e-4;        // at temperature 0, so that rounding errors move nothing
+constexpr int rounds_per_relaxation = 10;  // 20 leave edges of a third of the length in thin parts
+constexpr int sweeps_per_relaxation = 4;
+
+/// A random number that depends on nothing but its arguments.
+std::uint64_t hashed(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t x = a * 0x9E3779B97F4A7C15ULL + b;  // the steps of SplitMix64
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31U);
+}
+
+double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1.0p-53; }
+
+/// A move at the center of a patch: of the spoke number k, or of the rim beyond it.
+struct Move {
+  enum class Kind : std::uint8_t { flip_spoke, flip_rim, collapse, split } kind;
+  int k;
+};
+
+/// A move that was chosen: the patch after it, and where its vertices sit on the surface.
+struct Decision {
+  std::optional<NetPatch> patch;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Anchor> anchors;
+  std::vector<MotionFrame> frames;
+};
+
+class Annealing {
+ public:
+  Annealing(ConstrainedMesh& constrained, const AnnealingOptions& options)
+      : constrained_(constrained), mesh_(constrained.mesh), options_(options) {}
+
+  int run() {
+    int moves = 0;
+    look_again();
+    for (int round = 0; round < options_.rounds; ++round) {
+      const double remaining = 1.0 - (round + 1.0) / options_.rounds;
+      temperature_ = options_.first_temperature * remaining;
+      seed_ = hashed(options_.seed, static_cast<std::uint64_t>(round));
+      const std::vector<VertexHandle> sites = disjoint_sites();
+      std::vector<Decision> decisions(sites.size());
+      tbb::parallel_for(std::size_t{0}, sites.size(),
+                        [&](std::size_t i) { decisions[i] = decide(sites[i]); });
+      for (const Decision& decision : decisions) {
+        if (!decision.patch) continue;
+        apply(decision);
+        ++moves;
+      }
+      if ((round + 1) % rounds_per_relaxation == 0) {
+        relax_springs(constrained_, options_.length, sweeps_per_relaxation);
+        look_again();
+      }
+      if (options_.after_round && !options_.after_round(round)) break;
+    }
+    mesh_.garbage_collection();
+    return moves;
+  }
+
+ private:
+  /// After the whole net has changed.
+  void look_again() {
+    mesh_.garbage_collection();
+    deviations_ = valence_deviations(mesh_);
+    frames_ = motion_frames(constrained_);
+  }
+
+  /// Irregular vertices in random order, those left out whose patch would touch an earlier one.
+  std::vector<VertexHandle> disjoint_sites() {
+    std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
+    for (const auto v : mesh_.vertices()) {
+      if (std::abs(deviations_[index(v)]) < options_.least_deviation || v.is_boundary()) continue;
+      irregular.emplace_back(hashed(seed_, static_cast<std::uint64_t>(v.idx())), v);
+    }
+    std::sort(irregular.begin(), irregular.end());
+    std::vector<VertexHandle> sites;
+    std::vector<bool> taken(mesh_.n_vertices(), false);
+    for (const auto& [key, v] : irregular) {
+      if (claim(v, taken)) sites.push_back(v);
+    }
+    return sites;
+  }
+
+  /// Marks the vertices of a patch as taken, unless one of them is already.
+  bool claim(VertexHandle center, std::vector<bool>& taken) {
+    std::vector<VertexHandle> patch = {center};
+    PatchMarks& marks = marks_.local();
+    marks.begin(mesh_.n_vertices());
+    marks.set(center, 0);
+    std::size_t begin = 0;
+    for (int ring = 0; ring <= patch_rings; ++ring) {
+      const std::size_t end = patch.size();
+      for (; begin < end; ++begin) {
+        if (taken[index(patch[begin])]) return false;
+        for (const auto neighbor : mesh_.vv_range(patch[begin])) {
+          if (marks.number(neighbor) >= 0) continue;
+          marks.set(neighbor, 0);
+          patch.push_back(neighbor);
+        }
+      }
+    }
+    // Fixed vertices may be shared: only what moves is taken, together with what holds it.
+    for (std::size_t i = 0; i < begin; ++i) taken[index(patch[i])] = true;
+    return true;
+  }
+
+  [[nodiscard]] double energy_of(const NetPatch& patch) const {
+    return patch.strain(options_.length) + options_.core_energy * patch.disorder();
+  }
+
+  /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
+  [[nodiscard]] Decision decide(VertexHandle center) {
+    Decision decision;
+    NetPatch start(constrained_, frames_, center, patch_rings, marks_.local());
+    if (!start.is_whole()) return decision;
+    const int disorder = start.disorder();
+    // Thin parts have some already.
+    const int most_steep = start.steep_corners() + options_.most_new_steep;
+    start.relax(options_.length, sweeps);
+    const double energy = energy_of(start);
+    std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
+    NetPatch patch = start;
+    for (const Move& move : shuffled_moves(start.valence(0), random)) {
+      random = hashed(random, 1);
+      const double most = largest_rise(uniform(random));
+      patch = start;
+      if (!make(patch, move) || patch.disorder() > disorder + most_new_disorder) continue;
+      const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
+        patch.relax(options_.length, trial.sweeps, start.count_within(trial.rings));
+        return energy_of(patch) - energy > most + trial.hopeless;
+      });
+      if (is_hopeless || patch.steep_corners() > most_steep) continue;
+      decision.patch = patch;
+      project(decision);
+      if (decision.patch->steep_corners() > most_steep) decision.patch.reset();
+      break;
+    }
+    return decision;
+  }
+
+  /// By Metropolis: exp(-rise/T) is at least the random number in [0, 1).
+  [[nodiscard]] double largest_rise(double random) const {
+    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -least_gain;
+  }
+
+  static std::vector<Move> shuffled_moves(int valence, std::uint64_t seed) {
+    std::vector<Move> moves;
+    for (int k = 0; k < valence; ++k) {
+      for (const auto kind : {Move::Kind::flip_spoke, Move::Kind::flip_rim, Move::Kind::collapse,
+                              Move::Kind::split}) {
+        moves.push_back({kind, k});
+      }
+    }
+    for (std::size_t left = moves.size(); left > 1; --left) {
+      seed = hashed(seed, 2);
+      std::swap(moves[left - 1], moves[seed % left]);
+    }
+    return moves;
+  }
+
+  static bool make(NetPatch& patch, const Move& move) {
+    const int spoke = patch.neighbor(0, move.k);
+    const int next = patch.neighbor(0, (move.k + 1) % patch.valence(0));
+    switch (move.kind) {
+      case Move::Kind::flip_spoke:
+        return patch.flip(0, spoke);
+      case Move::Kind::flip_rim:
+        return patch.flip(spoke, next);
+      case Move::Kind::collapse:
+        if (!patch.collapse(0, spoke)) return false;
+        break;
+      case Move::Kind::split:
+        if (!patch.split(0, spoke)) return false;
+        break;
+    }
+    patch.mend_valences();
+    return true;
+  }
+
+  /// Puts the patch onto the surface.
+  void project(Decision& decision) const {
+    NetPatch& patch = *decision.patch;
+    const Anchor center = constrained_.anchor(patch.vertex(0));
+    for (int i = 0; i < patch.size(); ++i) {
+      const VertexHandle v = patch.vertex(i);
+      Anchor anchor;
+      anchor.face = center.face;  // near enough for a new vertex
+      if (v.is_valid()) anchor = constrained_.anchor(v);
+      Eigen::Vector3d position = patch.position(i);
+      if (patch.is_free(i)) {
+        position = constrained_.project(position, anchor);
+        patch.set_position(i, position);
+      }
+      decision.positions.push_back(position);
+      decision.anchors.push_back(anchor);
+      decision.frames.push_back(patch.is_free(i) ? motion_frame(constrained_, position, anchor)
+                                                 : MotionFrame());
+    }
+  }
+
+  void apply(const Decision& decision) {
+    const NetPatch& patch = *decision.patch;
+    const std::vector<VertexHandle> vertices = change_connectivity(patch);
+    deviations_.resize(mesh_.n_vertices(), 0);
+    frames_.resize(mesh_.n_vertices());
+    for (int i = 0; i < patch.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (patch.valence(i) == 0) continue;
+      deviations_[index(vertices[k])] = patch.deviation(i);
+      if (!patch.is_free(i)) continue;
+      mesh_.point(vertices[k]) = decision.positions[k];
+      constrained_.set_anchor(vertices[k], decision.anchors[k]);
+      frames_[index(vertices[k])] = decision.frames[k];
+    }
+  }
+
+  /// Repeats a patch's changes on the mesh.
+  ///
+  /// @return The vertices of the patch, new ones included.
+  std::vector<VertexHandle> change_connectivity(const NetPatch& patch) {
+    std::vector<VertexHandle> vertices;
+    for (int i = 0; i < patch.size() && patch.vertex(i).is_valid(); ++i) {
+      vertices.push_back(patch.vertex(i));
+    }
+    for (const PatchChange& change : patch.changes()) {
+      const HalfedgeHandle h = mesh_.find_halfedge(vertices[change.from], vertices[change.to]);
+      switch (change.kind) {
+        case PatchChange::Kind::flip:
+          mesh_.flip(mesh_.edge_handle(h));
+          break;
+        case PatchChange::Kind::collapse:
+          mesh_.collapse(h);
+          break;
+        case PatchChange::Kind::split:
+          vertices.push_back(mesh_.split(mesh_.edge_handle(h), Eigen::Vector3d(0.0, 0.0, 0.0)));
+          for (const auto spoke : mesh_.ve_range(vertices.back())) {
+            constrained_.set_curve(spoke, std::nullopt);
+          }
+          break;
+      }
+    }
+    return vertices;
+  }
+
+  ConstrainedMesh& constrained_;
+  TriMesh& mesh_;
+  const AnnealingOptions& options_;
+  std::vector<int> deviations_;
+  std::vector<MotionFrame> frames_;
+  double temperature_ = 0.0;
+  std::uint64_t seed_ = 0;
+  tbb::enumerable_thread_specific<PatchMarks> marks_;
+};
+
+}  // namespace
+
+int anneal(ConstrainedMesh& constrained, const AnnealingOptions& options) {
+  return Annealing(constrained, options).run();
+}
+
+}  // namespace trivalent::remesh

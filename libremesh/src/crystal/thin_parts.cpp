@@ -1,0 +1,161 @@
+#include "crystal/thin_parts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "equalize/relaxation.h"
+#include "equalize/sliding.h"
+#include "equalize/stellar.h"
+#include "equalize/valence.h"
+#include "mesh/self_intersections.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+bool looks_inwards(const ConstrainedMesh& constrained, FaceHandle f) {
+  Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+  for (const auto v : constrained.mesh.fv_range(f)) outward += constrained.normal(v);
+  return constrained.mesh.calc_normal(f).dot(outward) < 0.0;
+}
+
+/// The free vertices of faces that look inwards, in order.
+std::vector<VertexHandle> folded_vertices(const ConstrainedMesh& constrained) {
+  std::vector<VertexHandle> folded;
+  for (const auto f : constrained.mesh.faces()) {
+    if (!looks_inwards(constrained, f)) continue;
+    for (const auto v : f.vertices()) {
+      if (constrained.anchor(v).kind == FeatureKind::none) folded.push_back(v);
+    }
+  }
+  std::sort(folded.begin(), folded.end());
+  folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
+  return folded;
+}
+
+/// The vertex of a face that is nearest to p.
+VertexHandle nearest_corner(const TriMesh& mesh, int face, const Eigen::Vector3d& p) {
+  VertexHandle nearest;
+  for (const auto v : mesh.fv_range(FaceHandle(face))) {
+    if (!nearest.is_valid() ||
+        (mesh.point(v) - p).squaredNorm() < (mesh.point(nearest) - p).squaredNorm()) {
+      nearest = v;
+    }
+  }
+  return nearest;
+}
+
+/// Moves the nearest vertices of the net to vertices of the surface farther away than `far`.
+///
+/// @return Number of vertices moved.
+int reach_tips(ConstrainedMesh& constrained, const TriMesh& surface, double far) {
+  TriMesh& mesh = constrained.mesh;
+  struct Tip {
+    VertexHandle on_surface;
+    double distance;
+  };
+  std::vector<Tip> tips(mesh.n_vertices(), {VertexHandle(), far});  // farthest, for each vertex
+  const SurfaceProjector net(mesh);
+  for (const auto v : surface.vertices()) {
+    const Eigen::Vector3d& p = surface.point(v);
+    const SurfacePoint foot = net.nearest(p);
+    const double distance = (foot.position - p).norm();
+    if (distance <= far) continue;
+    Tip& tip = tips[index(nearest_corner(mesh, foot.face, p))];
+    if (distance > tip.distance) tip = {v, distance};
+  }
+  int moved = 0;
+  for (const auto v : mesh.vertices()) {
+    const VertexHandle tip = tips[index(v)].on_surface;
+    Anchor anchor = constrained.anchor(v);
+    if (!tip.is_valid() || anchor.kind != FeatureKind::none) continue;
+    anchor.face = surface.cvf_begin(tip)->idx();
+    mesh.point(v) = surface.point(tip);
+    constrained.set_anchor(v, anchor);
+    ++moved;
+  }
+  return moved;
+}
+
+/// Direction from the sheet of face b to that of face a, where the faces cross.
+Eigen::Vector3d direction_between(const ConstrainedMesh& constrained, const std::array<int, 3>& a,
+                                  const std::array<int, 3>& b) {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (const int v : a) place += constrained.mesh.point(VertexHandle(v)) / 6.0;
+  for (const int v : b) place += constrained.mesh.point(VertexHandle(v)) / 6.0;
+  const auto foot = [&](const std::array<int, 3>& face) {
+    return constrained.surface().walk_towards(place,
+                                              constrained.anchor(VertexHandle(face[0])).face);
+  };
+  const SurfacePoint on_a = foot(a);
+  const SurfacePoint on_b = foot(b);
+  const Eigen::Vector3d apart =
+      (constrained.surface().normal(on_a) - constrained.surface().normal(on_b)).normalized();
+  // Sheets look away from each other across a wall, and at each other across a gap.
+  return apart.dot(on_a.position - on_b.position) >= 0.0 ? apart : Eigen::Vector3d(-apart);
+}
+
+}  // namespace
+
+void unfold(ConstrainedMesh& constrained) {
+  constexpr int most_steps = 20;
+  TriMesh& mesh = constrained.mesh;
+  for (int i = 0; i < most_steps; ++i) {
+    const std::vector<VertexHandle> folded = folded_vertices(constrained);
+    if (folded.empty()) return;
+    for (const VertexHandle v : folded) {
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      for (const auto neighbor : mesh.vv_range(v)) middle += mesh.point(neighbor);
+      Anchor anchor = constrained.anchor(v);
+      mesh.point(v) = constrained.project(middle / mesh.valence(v), anchor);
+      constrained.set_anchor(v, anchor);
+    }
+  }
+}
+
+void mend_thin_parts(ConstrainedMesh& constrained, const TriMesh& surface, double length) {
+  constexpr int most_rounds = 5;
+  constexpr double far = 0.6;  // of the length
+  // Springs and annealing bring the edges in between to the length.
+  const StellarLimits limits = {.target = length,
+                                .shortest = 0.6 * length,
+                                .longest = 1.5 * length,
+                                .overlong = 1.6 * length,
+                                .mends_valences = false};
+  for (int round = 0; round < most_rounds; ++round) {
+    unfold(constrained);
+    const int moved = reach_tips(constrained, surface, far * length);
+    if (apply_stellar_operations(constrained, limits) + moved == 0) return;
+    correct_valences(constrained);
+    slide_vertices(constrained, relaxed_positions(constrained, RelaxationOptions{}));
+  }
+}
+
+void part_sheets(ConstrainedMesh& constrained) {
+  constexpr int most_steps = 20;
+  constexpr double step = 0.02;  // of the mean edge
+  TriMesh& mesh = constrained.mesh;
+  const double size = step * mean_edge_length(mesh);
+  const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
+  for (int i = 0; i < most_steps; ++i) {
+    const CrossingFaces crossing =
+        find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), faces, faces.size());
+    if (crossing.count == 0) return;
+    std::vector<Eigen::Vector3d> pushes(mesh.n_vertices(), Eigen::Vector3d::Zero());
+    for (const auto& [a, b] : crossing.first) {
+      const auto& face_a = faces[static_cast<std::size_t>(a)];
+      const auto& face_b = faces[static_cast<std::size_t>(b)];
+      const Eigen::Vector3d direction = direction_between(constrained, face_a, face_b);
+      for (const int v : face_a) pushes[static_cast<std::size_t>(v)] += direction;
+      for (const int v : face_b) pushes[static_cast<std::size_t>(v)] -= direction;
+    }
+    for (const auto v : mesh.vertices()) {
+      if (constrained.anchor(v).kind != FeatureKind::none) continue;
+      if (pushes[index(v)].norm() > 0.5) mesh.point(v) += size * pushes[index(v)].normalized();
+    }
+  }
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,55 @@
+#include "equalize/face_guard.h"
+
+#include <Eigen/Geometry>
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// Smallest height / longest side of a triangle that counts as one.
+constexpr double least_aspect = 1e-3;
+
+Eigen::Vector3d area_vector(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                            const Eigen::Vector3d& c) {
+  return (b - a).cross(c - a);
+}
+
+bool is_sliver(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double longest_squared =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return area_vector(a, b, c).norm() <= least_aspect * longest_squared;
+}
+
+}  // namespace
+
+bool faces_stay_upright(const TriMesh& mesh, VertexHandle v, const Eigen::Vector3d& position,
+                        VertexHandle except) {
+  for (const auto h : mesh.voh_range(v)) {
+    if (mesh.is_boundary(h)) continue;
+    const VertexHandle b = mesh.to_vertex_handle(h);
+    const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+    if (b == except || c == except) continue;
+    const Eigen::Vector3d before = area_vector(mesh.point(v), mesh.point(b), mesh.point(c));
+    const Eigen::Vector3d after = area_vector(position, mesh.point(b), mesh.point(c));
+    if (before.dot(after) < 0.0) return false;
+    if (is_sliver(position, mesh.point(b), mesh.point(c)) &&
+        !is_sliver(mesh.point(v), mesh.point(b), mesh.point(c))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool flip_stays_upright(const TriMesh& mesh, EdgeHandle e) {
+  const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+  const HalfedgeHandle o = mesh.halfedge_handle(e, 1);
+  const Eigen::Vector3d& v1 = mesh.point(mesh.from_vertex_handle(h));
+  const Eigen::Vector3d& v3 = mesh.point(mesh.to_vertex_handle(h));
+  const Eigen::Vector3d& v4 = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
+  const Eigen::Vector3d& v2 = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(o)));
+  const Eigen::Vector3d upward = area_vector(v1, v2, v3) + area_vector(v1, v3, v4);
+  if (is_sliver(v1, v2, v4) || is_sliver(v2, v3, v4)) return false;
+  return area_vector(v1, v2, v4).dot(upward) > 0.0 && area_vector(v2, v3, v4).dot(upward) > 0.0;
+}
+
+}  // namespace trivalent::remesh

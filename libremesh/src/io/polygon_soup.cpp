@@ -1,0 +1,334 @@
+#include "trivalent/remesh/polygon_soup.h"
+
+#define ZLIB_CONST  // zlib reads what it unpacks, and no more
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <system_error>
+
+#include "io/mesh_readers.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// ---- bytes of a file ---------------------------------------------------------------------------
+
+std::string read_bytes(const fs::path& path) {
+  const auto complain = [&path](int error_number) {
+    return FileError(concat("read_mesh: ", path.string(),
+                            ": cannot be read: ", std::generic_category().message(error_number)));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw complain(EISDIR);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (!file) throw complain(errno);
+  std::string bytes;
+  const auto size = fs::file_size(path, ignored);
+  if (!ignored) bytes.reserve(size);
+  std::array<char, 1 << 16> chunk{};
+  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    bytes.append(chunk.data(), got);
+  }
+  if (std::ferror(file.get()) != 0) throw complain(errno);
+  return bytes;
+}
+
+bool is_gzipped(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
+
+/// No mesh packs better than this; what does is made to fill the memory. Small ones may, in parts.
+constexpr std::size_t best_compression = 200;
+constexpr std::size_t surely_harmless = 1 << 20;
+
+struct EndInflating {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+std::string unpack(const Source& source) {
+  z_stream stream{};
+  constexpr int any_window_and_gzip_header = 15 + 32;
+  if (inflateInit2(&stream, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, EndInflating> ending(&stream);
+  std::string unpacked;
+  const std::string_view input = source.bytes;
+  std::array<char, 1 << 16> chunk{};
+  std::size_t at = 0;
+  for (;;) {
+    const std::size_t given = std::min<std::size_t>(input.size() - at, 1 << 30);
+    stream.next_in = reinterpret_cast<const Bytef*>(input.data() + at);
+    stream.avail_in = static_cast<uInt>(given);
+    stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
+    stream.avail_out = chunk.size();
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    at += given - stream.avail_in;
+    unpacked.append(chunk.data(), chunk.size() - stream.avail_out);
+    if (unpacked.size() > surely_harmless && unpacked.size() / best_compression > at) {
+      fail(source, concat("its first ", at, " bytes unpack to more than ", best_compression,
+                          " times as many; this is no mesh"));
+    }
+    // Several packed parts may follow each other.
+    if (status == Z_STREAM_END && at < input.size() && inflateReset(&stream) == Z_OK) continue;
+    if (status == Z_STREAM_END) return unpacked;
+    if (status != Z_OK)
+      fail(source, concat("damaged gzip data near byte ", at, "; is it cut short?"));
+  }
+}
+
+// ---- kind of file ------------------------------------------------------------------------------
+
+enum class Kind { off, obj, ply, text_stl, binary_stl, vtp, points };
+
+std::string name_of(Kind kind) {
+  switch (kind) {
+    case Kind::off:
+      return "OFF";
+    case Kind::obj:
+      return "OBJ";
+    case Kind::ply:
+      return "PLY";
+    case Kind::text_stl:
+    case Kind::binary_stl:
+      return "STL";
+    case Kind::vtp:
+      return "VTP";
+    case Kind::points:
+      return "points";
+  }
+  return {};
+}
+
+/// Text STL begins with "solid", but so do the headers of some binary ones; a facet must follow.
+bool is_text_stl(const Source& source) {
+  constexpr std::size_t longest_keyword = 16;
+  TextScanner scanner(source, Continuation::none);
+  const std::string_view first = scanner.word_across_lines().substr(0, longest_keyword);
+  if (lower_case(std::string(first)) != "solid") return false;
+  scanner.next_line();
+  const std::string second = lower_case(std::string(scanner.word().substr(0, longest_keyword)));
+  return second == "facet" || second == "endsolid";
+}
+
+/// By its size alone: such a file may begin with any bytes.
+bool is_binary_stl(std::string_view bytes) {
+  return !bytes.empty() && declared_stl_size(bytes) == bytes.size();
+}
+
+/// The text behind the mark U+FEFF that some editors put first.
+Source without_mark(const Source& source) {
+  constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+  const std::string_view bytes = source.bytes;
+  if (is_binary_stl(bytes)) return source;
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    fail(source, "is text of 16 bits a letter; save it as UTF-8 or plain ASCII");
+  return bytes.starts_with(utf8_mark) ? Source{bytes.substr(utf8_mark.size()), source.name}
+                                      : source;
+}
+
+/// What the bytes say they are; none for OBJ and points, which have no mark.
+std::optional<Kind> kind_by_mark(const Source& source) {
+  constexpr std::size_t longest_xml_head = 1000;
+  const std::string_view bytes = source.bytes;
+  if (is_binary_stl(bytes)) return Kind::binary_stl;
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
+  if (bytes.substr(0, longest_xml_head).find("<VTKFile") != bytes.npos) return Kind::vtp;
+  if (is_text_stl(source)) return Kind::text_stl;
+  if (is_off_keyword(TextScanner(source, Continuation::none).word_across_lines())) return Kind::off;
+  return std::nullopt;
+}
+
+/// Extension of the file's name, of what is packed if it is gzipped.
+std::string extension_of(const Source& source) {
+  fs::path name = source.name;
+  if (name.extension() == ".gz") name = name.stem();
+  return lower_case(name.extension().string());
+}
+
+std::optional<Kind> kind_by_extension(const Source& source) {
+  const std::string extension = extension_of(source);
+  if (extension == ".off") return Kind::off;
+  if (extension == ".obj") return Kind::obj;
+  if (extension == ".ply") return Kind::ply;
+  // Binary unless its content said otherwise.
+  if (extension == ".stl") return Kind::binary_stl;
+  if (extension == ".vtp") return Kind::vtp;
+  if (extension == ".xyz" || extension == ".pwn") return Kind::points;
+  return std::nullopt;
+}
+
+/// What a text without a mark looks like.
+std::optional<Kind> kind_by_first_word(const Source& source) {
+  const std::string_view word = TextScanner(source, Continuation::none).word_across_lines();
+  if (parse_number(word)) return Kind::points;
+  for (const std::string_view statement : {"v", "vn", "vt", "f", "g", "o", "s", "mtllib"}) {
+    if (word == statement) return Kind::obj;
+  }
+  return std::nullopt;
+}
+
+/// What the content is by its mark, else what was expected, else what its first word says.
+Kind kind_of(const Source& source, std::optional<Kind> expected) {
+  if (const auto kind = kind_by_mark(source)) return *kind;
+  if (expected) return *expected;
+  if (const auto kind = kind_by_first_word(source)) return *kind;
+  fail(source,
+       concat("neither its extension '", extension_of(source),
+              "' nor its content is known; save it as .off, .obj, .ply, .stl, .vtp, or .xyz for "
+              "points, each also with .gz"));
+}
+
+PolygonSoup read_kind(const Source& source, Kind kind) {
+  switch (kind) {
+    case Kind::off:
+      return read_off(source);
+    case Kind::obj:
+      return read_obj(source);
+    case Kind::ply:
+      return read_ply(source);
+    case Kind::text_stl:
+      return read_text_stl(source);
+    case Kind::vtp:
+      return read_vtp(source);
+    case Kind::points:
+      return read_points(source);
+    case Kind::binary_stl:
+      break;
+  }
+  return read_binary_stl(source);
+}
+
+}  // namespace
+
+void fail(const Source& source, std::string_view problem) {
+  throw FileError(concat("read_mesh: ", source.name, ": ", problem));
+}
+
+void check_declared(const Source& source, const Declared& declared, std::size_t bytes_left) {
+  if (declared.count > bytes_left / declared.bytes_each) {
+    fail(source,
+         concat("declares ", declared.count, ' ', declared.things, ", more than its remaining ",
+                bytes_left, " bytes can hold; is it cut short?"));
+  }
+  // Three corners each must be countable.
+  constexpr std::uint64_t most = std::numeric_limits<int>::max() / 3;
+  if (declared.count > most) {
+    fail(source, concat("declares ", declared.count, ' ', declared.things, "; at most ", most,
+                        " are read"));
+  }
+}
+
+std::string counted(std::size_t count, std::string_view thing) {
+  return concat(count, ' ', thing, count == 1 ? "" : "s");
+}
+
+namespace {
+
+/// Numbers places in the order of their first points. Open addressing: with millions of points a
+/// node for each takes most of the reading.
+class PlaceTable {
+ public:
+  int number_of(const Eigen::Vector3d& p) {
+    if (2 * places_.size() >= slots_.size()) grow();
+    int& slot = slot_of(p);
+    if (slot == empty) {
+      slot = static_cast<int>(places_.size());
+      places_.push_back(p);
+    }
+    return slot;
+  }
+  [[nodiscard]] std::vector<Eigen::Vector3d> take() { return std::move(places_); }
+
+ private:
+  static constexpr int empty = -1;
+
+  static std::uint64_t hash(const Eigen::Vector3d& p) {
+    std::uint64_t hash = 0;
+    for (const double x : p) {
+      // The multiplier of [Steele2014]'s SplitMix64, which spreads every bit over the word.
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9U;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+
+  /// That of the place, or the empty one where it belongs.
+  int& slot_of(const Eigen::Vector3d& p) {
+    std::size_t i = hash(p) & (slots_.size() - 1);
+    while (slots_[i] != empty && places_[static_cast<std::size_t>(slots_[i])] != p) {
+      i = (i + 1) & (slots_.size() - 1);
+    }
+    return slots_[i];
+  }
+
+  void grow() {
+    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), empty);
+    for (std::size_t i = 0; i < places_.size(); ++i) slot_of(places_[i]) = static_cast<int>(i);
+  }
+
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<int> slots_;  // a power of two
+};
+
+}  // namespace
+
+void weld_points(PolygonSoup& soup) {
+  PlaceTable table;
+  std::vector<int> new_index;
+  new_index.reserve(soup.points.size());
+  // + 0.0 turns -0.0 into 0.0.
+  for (const Eigen::Vector3d& p : soup.points) {
+    new_index.push_back(table.number_of(p + Eigen::Vector3d::Zero()));
+  }
+  const std::size_t corners = soup.points.size();
+  soup.points = table.take();
+  if (corners > 0) {
+    soup.notes.push_back(
+        concat("welded ", counted(corners, "corner"), " into ", soup.points.size(), " vertices"));
+  }
+  for (int& v : soup.corners) v = new_index[static_cast<std::size_t>(v)];
+}
+
+BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {
+  BoundingBox box{points.front(), points.front()};
+  for (const Eigen::Vector3d& p : points) {
+    box.low = box.low.cwiseMin(p);
+    box.high = box.high.cwiseMax(p);
+  }
+  return box;
+}
+
+PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) {
+  std::string unpacked;
+  if (is_gzipped(bytes)) {
+    unpacked = unpack({bytes, name});
+    bytes = unpacked;
+    // Once only: there are files that unpack to themselves.
+    if (is_gzipped(bytes)) fail({bytes, name}, "is gzipped twice; unpack it once");
+  }
+  const Source source = without_mark({bytes, name});
+  if (source.bytes.empty()) fail(source, "the file is empty");
+  const auto expected = kind_by_extension(source);
+  const Kind kind = kind_of(source, expected);
+  PolygonSoup soup = read_kind(source, kind);
+  if (expected && name_of(kind) != name_of(*expected)) {
+    soup.notes.push_back(
+        concat("read as ", name_of(kind), ", which its content is, not as ", name_of(*expected)));
+  }
+  return soup;
+}
+
+PolygonSoup read_polygon_soup(const fs::path& path) {
+  return parse_polygon_soup(read_bytes(path), path.string());
+}
+
+}  // namespace trivalent::remesh

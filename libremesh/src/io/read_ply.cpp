@@ -1,0 +1,329 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/mesh_readers.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+enum class Encoding { text, little_endian, big_endian };
+
+enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct NumberName {
+  std::string_view name;
+  Number number;
+};
+constexpr std::array number_names = {
+    NumberName{"char", Number::int8},      NumberName{"int8", Number::int8},
+    NumberName{"uchar", Number::uint8},    NumberName{"uint8", Number::uint8},
+    NumberName{"short", Number::int16},    NumberName{"int16", Number::int16},
+    NumberName{"ushort", Number::uint16},  NumberName{"uint16", Number::uint16},
+    NumberName{"int", Number::int32},      NumberName{"int32", Number::int32},
+    NumberName{"uint", Number::uint32},    NumberName{"uint32", Number::uint32},
+    NumberName{"float", Number::float32},  NumberName{"float32", Number::float32},
+    NumberName{"double", Number::float64}, NumberName{"float64", Number::float64}};
+
+std::size_t size_of(Number number) {
+  switch (number) {
+    case Number::int8:
+    case Number::uint8:
+      return 1;
+    case Number::int16:
+    case Number::uint16:
+      return 2;
+    case Number::int32:
+    case Number::uint32:
+    case Number::float32:
+      return 4;
+    case Number::float64:
+      return 8;
+  }
+  return 8;
+}
+
+struct Property {
+  std::string name;
+  Number number = Number::float32;
+  std::optional<Number> list_size;  ///< type of the length, if it is a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+};
+
+Number number_named(std::string_view name, const TextScanner& scanner) {
+  for (const auto& entry : number_names) {
+    if (entry.name == name) return entry.number;
+  }
+  scanner.fail(concat(in_quotes(name), " is no type of PLY numbers"));
+}
+
+Property read_property(TextScanner& scanner) {
+  Property property;
+  std::string_view type = scanner.word();
+  if (type == "list") {
+    property.list_size = number_named(scanner.word(), scanner);
+    type = scanner.word();
+  }
+  property.number = number_named(type, scanner);
+  property.name = scanner.word();
+  return property;
+}
+
+Encoding read_encoding(TextScanner& scanner) {
+  const std::string_view word = scanner.word();
+  if (word == "ascii") return Encoding::text;
+  if (word == "binary_little_endian") return Encoding::little_endian;
+  if (word == "binary_big_endian") return Encoding::big_endian;
+  scanner.fail(concat(in_quotes(word), " is no PLY encoding"));
+}
+
+Element read_element(TextScanner& scanner) {
+  Element element{std::string(scanner.word()), 0, {}};
+  const std::int64_t count = scanner.integer("the number of elements");
+  if (count < 0) scanner.fail("a count is negative");
+  element.count = static_cast<std::uint64_t>(count);
+  return element;
+}
+
+Header read_header(TextScanner& scanner) {
+  Header header;
+  bool has_format = false;
+  scanner.next_line();  // to the line `ply`
+  while (scanner.next_line()) {
+    const std::string_view keyword = scanner.word();
+    if (keyword == "format") {
+      header.encoding = read_encoding(scanner);
+      has_format = true;
+    } else if (keyword == "element") {
+      header.elements.push_back(read_element(scanner));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) scanner.fail("a property stands before the first element");
+      header.elements.back().properties.push_back(read_property(scanner));
+    } else if (keyword == "end_header") {
+      if (!has_format) scanner.fail("the header does not tell its format");
+      return header;
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      scanner.fail(concat(in_quotes(keyword), " is no part of a PLY header"));
+    }
+  }
+  scanner.fail("the file ends before 'end_header'; is it cut short?");
+}
+
+/// The numbers after the header, in any encoding.
+class Body {
+ public:
+  Body(const Source& source, TextScanner& scanner, Encoding encoding)
+      : source_(source), scanner_(scanner), encoding_(encoding) {
+    if (encoding_ == Encoding::text) return;
+    // Exactly one line end separates the header from binary numbers, of the kind of the first line.
+    const std::size_t line_end =
+        source.bytes.substr(std::string_view("ply").size(), 2) == "\r\n" ? 2 : 1;
+    at_ = std::min(scanner.offset() + line_end, source.bytes.size());
+  }
+
+  [[nodiscard]] std::size_t bytes_left() const {
+    return encoding_ == Encoding::text ? scanner_.bytes_left() : source_.bytes.size() - at_;
+  }
+
+  /// Least bytes of a number: a digit and what separates it, if text.
+  [[nodiscard]] std::size_t bytes_of(Number number) const {
+    return encoding_ == Encoding::text ? 2 : size_of(number);
+  }
+
+  double number(Number type) {
+    if (encoding_ == Encoding::text) return scanner_.number("a property");
+    const std::size_t size = size_of(type);
+    if (bytes_left() < size) fail("the file ends within an element; is it cut short?");
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t from_top = encoding_ == Encoding::big_endian ? k : size - 1 - k;
+      bits = bits << 8 | static_cast<unsigned char>(source_.bytes[at_ + from_top]);
+    }
+    at_ += size;
+    return value_of(bits, type);
+  }
+
+  /// Ends the line of an element, if text.
+  void end_row() {
+    if (encoding_ == Encoding::text && scanner_.skip_rest_of_line()) ++rows_with_more_;
+  }
+  [[nodiscard]] std::size_t rows_with_more() const { return rows_with_more_; }
+
+  [[noreturn]] void fail(std::string_view problem) const {
+    if (encoding_ == Encoding::text) scanner_.fail(problem);
+    throw FileError(concat("read_mesh: ", source_.name, ": byte ", at_, ": ", problem));
+  }
+
+ private:
+  static double value_of(std::uint64_t bits, Number type) {
+    switch (type) {
+      case Number::int8:
+        return static_cast<std::int8_t>(bits);
+      case Number::int16:
+        return static_cast<std::int16_t>(bits);
+      case Number::int32:
+        return static_cast<std::int32_t>(bits);
+      case Number::float32:
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+      case Number::float64:
+        return std::bit_cast<double>(bits);
+      case Number::uint8:
+      case Number::uint16:
+      case Number::uint32:
+        break;
+    }
+    return static_cast<double>(bits);
+  }
+
+  const Source& source_;
+  TextScanner& scanner_;
+  Encoding encoding_;
+  std::size_t at_ = 0;
+  std::size_t rows_with_more_ = 0;
+};
+
+class PlyReader {
+ public:
+  explicit PlyReader(const Source& source)
+      : source_(source),
+        scanner_(source, Continuation::none),
+        header_(read_header(scanner_)),
+        body_(source, scanner_, header_.encoding) {}
+
+  PolygonSoup run() {
+    for (const Element& element : header_.elements) read_element(element);
+    if (body_.rows_with_more() > 0) {
+      soup_.notes.push_back(
+          concat("ignored further columns on ", counted(body_.rows_with_more(), "line")));
+    }
+    check_corners();
+    return std::move(soup_);
+  }
+
+ private:
+  void read_element(const Element& element) {
+    if (element.count == 0) return;
+    std::uint64_t least = 0;
+    for (const Property& p : element.properties)
+      least += body_.bytes_of(p.list_size.value_or(p.number));
+    if (least == 0) body_.fail(concat("elements ", in_quotes(element.name), " have no properties"));
+    const std::string things = in_quotes(element.name) + " elements";
+    // The last line of a text may lack its end.
+    check_declared(source_, {things, element.count, least}, body_.bytes_left() + 1);
+    if (element.name == "vertex") return read_vertices(element);
+    if (element.name == "face") return read_faces(element);
+    if (element.name == "tristrips")
+      body_.fail("triangle strips are not read; write faces instead");
+    for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, [](std::size_t, double) {});
+    soup_.notes.push_back(
+        concat("ignored ", counted(element.count, "element"), ' ', in_quotes(element.name)));
+  }
+
+  void read_vertices(const Element& element) {
+    const std::array<std::size_t, 3> place = {place_of(element, "x"), place_of(element, "y"),
+                                              place_of(element, "z")};
+    soup_.points.reserve(soup_.points.size() + element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      Eigen::Vector3d p = Eigen::Vector3d::Zero();
+      read_row(element, [&](std::size_t property, double value) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (property == place[k]) p[static_cast<Eigen::Index>(k)] = value;
+        }
+      });
+      if (!p.allFinite()) {
+        body_.fail(
+            concat("vertex ", i, " (counted from 0) has a coordinate that is not a finite number"));
+      }
+      soup_.points.push_back(p);
+    }
+  }
+
+  void read_faces(const Element& element) {
+    const std::size_t place = has_property(element, "vertex_indices")
+                                  ? place_of(element, "vertex_indices")
+                                  : place_of(element, "vertex_index");
+    soup_.ends.reserve(soup_.ends.size() + element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      read_row(element, [&](std::size_t property, double value) {
+        if (property != place) return;
+        if (!(value >= 0.0 && value <= std::numeric_limits<int>::max()) ||
+            value != std::floor(value)) {
+          body_.fail(concat("face ", i, " (counted from 0) refers to vertex ", value));
+        }
+        soup_.corners.push_back(static_cast<int>(value));
+      });
+      soup_.ends.push_back(soup_.corners.size());
+    }
+  }
+
+  /// Calls `take(property, value)` for every number of one element, lengths of lists excepted.
+  template <typename Take>
+  void read_row(const Element& element, const Take& take) {
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      const Property& property = element.properties[k];
+      const std::uint64_t values = property.list_size ? list_size(property) : 1;
+      for (std::uint64_t i = 0; i < values; ++i) take(k, body_.number(property.number));
+    }
+    body_.end_row();
+  }
+
+  std::uint64_t list_size(const Property& property) {
+    const double size = body_.number(*property.list_size);
+    const std::size_t most = (body_.bytes_left() + 1) / body_.bytes_of(property.number);
+    if (size >= 0.0 && size <= static_cast<double>(most) && size == std::floor(size))
+      return static_cast<std::uint64_t>(size);
+    body_.fail(concat("a list of ", size, " values, but the file holds at most ", most, " more"));
+  }
+
+  static bool has_property(const Element& element, std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [name](const Property& p) { return p.name == name; });
+  }
+
+  [[nodiscard]] std::size_t place_of(const Element& element, std::string_view name) const {
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      if (element.properties[k].name == name) return k;
+    }
+    body_.fail(concat("elements ", in_quotes(element.name), " have no property '", name, "'"));
+  }
+
+  /// At the end, because faces may come before vertices.
+  void check_corners() const {
+    for (std::size_t i = 0; i < soup_.ends.size(); ++i) {
+      for (const int v : soup_.polygon(i)) {
+        if (static_cast<std::size_t>(v) < soup_.points.size()) continue;
+        fail(source_, concat("face ", i, " refers to vertex ", v, " of ", soup_.points.size(),
+                             " (counted from 0)"));
+      }
+    }
+  }
+
+  const Source& source_;
+  TextScanner scanner_;
+  Header header_;
+  Body body_;
+  PolygonSoup soup_;
+};
+
+}  // namespace
+
+PolygonSoup read_ply(const Source& source) { return PlyReader(source).run(); }
+
+}  // namespace trivalent::remesh

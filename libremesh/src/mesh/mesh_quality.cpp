@@ -1,0 +1,123 @@
+#include "trivalent/remesh/mesh_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "mesh/self_intersections.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+Spread spread_of_edges(const TriMesh& mesh) {
+  if (mesh.n_edges() == 0) return {};
+  std::vector<double> lengths;
+  lengths.reserve(mesh.n_edges());
+  double sum = 0.0;
+  for (const auto e : mesh.edges()) {
+    lengths.push_back(mesh.calc_edge_length(e));
+    sum += lengths.back();
+  }
+  const auto n = static_cast<double>(lengths.size());
+  Spread spread;
+  spread.mean = sum / n;
+  double squares = 0.0;
+  for (const double length : lengths) squares += (length - spread.mean) * (length - spread.mean);
+  spread.standard_deviation = std::sqrt(squares / n);
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  spread.min = *shortest;
+  spread.max = *longest;
+  return spread;
+}
+
+void count_elements(const TriMesh& mesh, MeshQuality& quality) {
+  for (const auto v : mesh.vertices()) quality.vertices += mesh.is_isolated(v) ? 0 : 1;
+  quality.edges = static_cast<int>(mesh.n_edges());
+  quality.faces = static_cast<int>(mesh.n_faces());
+  quality.euler_characteristic = quality.vertices - quality.edges + quality.faces;
+}
+
+int count_components(const TriMesh& mesh) {
+  std::vector<char> seen(mesh.n_faces(), 0);
+  std::vector<FaceHandle> to_visit;
+  int components = 0;
+  for (const auto start : mesh.faces()) {
+    if (seen[static_cast<std::size_t>(start.idx())] != 0) continue;
+    ++components;
+    seen[static_cast<std::size_t>(start.idx())] = 1;
+    to_visit.push_back(start);
+    while (!to_visit.empty()) {
+      const FaceHandle face = to_visit.back();
+      to_visit.pop_back();
+      for (const auto next : mesh.ff_range(face)) {
+        if (std::exchange(seen[static_cast<std::size_t>(next.idx())], 1) == 0)
+          to_visit.push_back(next);
+      }
+    }
+  }
+  return components;
+}
+
+int count_boundary_loops(const TriMesh& mesh) {
+  std::vector<char> seen(mesh.n_halfedges(), 0);
+  int loops = 0;
+  for (const auto start : mesh.halfedges()) {
+    if (!mesh.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())] != 0) continue;
+    ++loops;
+    HalfedgeHandle h = start;
+    while (std::exchange(seen[static_cast<std::size_t>(h.idx())], 1) == 0)
+      h = mesh.next_halfedge_handle(h);
+  }
+  return loops;
+}
+
+void count_valences(const TriMesh& mesh, MeshQuality& quality) {
+  int interior = 0;
+  for (const auto v : mesh.vertices()) {
+    if (mesh.is_isolated(v) || mesh.is_boundary(v)) continue;
+    ++interior;
+    ++quality.valences[static_cast<int>(mesh.valence(v))];
+  }
+  const auto regular = quality.valences.find(6);
+  if (regular != quality.valences.end())
+    quality.regular_fraction = static_cast<double>(regular->second) / interior;
+}
+
+void measure_angles(const TriMesh& mesh, MeshQuality& quality) {
+  if (mesh.n_faces() == 0) return;
+  quality.smallest_angle = std::numbers::pi;
+  for (const auto& triangle : triangles_of(mesh)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](std::size_t corner) {
+        return mesh.point(VertexHandle(triangle[corner % 3]));
+      };
+      const Eigen::Vector3d a = at(k + 1) - at(k);
+      const Eigen::Vector3d b = at(k + 2) - at(k);
+      // Unlike the arc cosine, exact for the smallest angles too.
+      const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+      quality.smallest_angle = std::min(quality.smallest_angle, angle);
+      quality.largest_angle = std::max(quality.largest_angle, angle);
+    }
+  }
+}
+
+}  // namespace
+
+MeshQuality measure_quality(const TriMesh& mesh) {
+  MeshQuality quality;
+  count_elements(mesh, quality);
+  quality.components = count_components(mesh);
+  quality.boundary_loops = count_boundary_loops(mesh);
+  quality.edge_length = spread_of_edges(mesh);
+  count_valences(mesh, quality);
+  measure_angles(mesh, quality);
+  const auto crossing =
+      find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), triangles_of(mesh));
+  quality.self_intersections = static_cast<int>(crossing.count);
+  return quality;
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,252 @@
+#include "mesh/surface_projector.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+// Distances need no exact predicates, so the fastest kernel serves.
+using Kernel = CGAL::Simple_cartesian<double>;
+using Primitive =
+    CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+Eigen::Vector3d to_eigen(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+/// Vertex normals weighted by the faces' angles, which does not depend on how a polygon was split.
+std::vector<Eigen::Vector3d> angle_weighted_normals(const TriMesh& surface) {
+  std::vector<Eigen::Vector3d> normals(surface.n_vertices(), Eigen::Vector3d::Zero());
+  for (const auto f : surface.faces()) {
+    const Eigen::Vector3d n = surface.calc_normal(f);
+    if (!n.allFinite()) continue;
+    for (const auto h : surface.fh_range(f)) {
+      const double angle = surface.calc_sector_angle(h);
+      if (std::isfinite(angle)) normals[static_cast<std::size_t>(h.to().idx())] += angle * n;
+    }
+  }
+  for (Eigen::Vector3d& n : normals) n.normalize();
+  return normals;
+}
+
+/// The point of a triangle nearest to another point.
+struct Foot {
+  Eigen::Vector3d position;
+  double squared_distance;
+  /// Which corners have a part in it: bits 0 to 2.
+  unsigned corners;
+};
+
+Foot foot_on(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) {
+  const auto foot = [&](const Eigen::Vector3d& at, unsigned corners) -> Foot {
+    return {at, (at - p).squaredNorm(), corners};
+  };
+  // By the regions of [Ericson2004, 5.1.5]: three corners, three edges, the inside.
+  const Eigen::Vector3d ab = t[1] - t[0];
+  const Eigen::Vector3d ac = t[2] - t[0];
+  const Eigen::Vector3d ap = p - t[0];
+  const double ab_a = ab.dot(ap);
+  const double ac_a = ac.dot(ap);
+  if (ab_a <= 0.0 && ac_a <= 0.0) return foot(t[0], 1U);
+  const Eigen::Vector3d bp = p - t[1];
+  const double ab_b = ab.dot(bp);
+  const double ac_b = ac.dot(bp);
+  if (ab_b >= 0.0 && ac_b <= ab_b) return foot(t[1], 2U);
+  const double c = ab_a * ac_b - ab_b * ac_a;
+  if (c <= 0.0 && ab_a >= 0.0 && ab_b <= 0.0) return foot(t[0] + ab_a / (ab_a - ab_b) * ab, 3U);
+  const Eigen::Vector3d cp = p - t[2];
+  const double ab_c = ab.dot(cp);
+  const double ac_c = ac.dot(cp);
+  if (ac_c >= 0.0 && ab_c <= ac_c) return foot(t[2], 4U);
+  const double b = ab_c * ac_a - ab_a * ac_c;
+  if (b <= 0.0 && ac_a >= 0.0 && ac_c <= 0.0) return foot(t[0] + ac_a / (ac_a - ac_c) * ac, 5U);
+  const double a = ab_b * ac_c - ab_c * ac_b;
+  const double to_c = ac_b - ab_b;
+  const double to_b = ab_c - ac_c;
+  if (a <= 0.0 && to_c >= 0.0 && to_b >= 0.0) {
+    return foot(t[1] + to_c / (to_c + to_b) * (t[2] - t[1]), 6U);
+  }
+  return foot(t[0] + (b * ab + c * ac) / (a + b + c), 7U);
+}
+
+}  // namespace
+
+struct SurfaceProjector::Impl {
+  std::vector<Kernel::Triangle_3> triangles;  // those with an area
+  std::vector<int> face_of;                   // face of the surface, per triangle
+  std::vector<int> triangle_of;               // triangle, per face of the surface
+  std::vector<std::array<int, 3>> corners;    // vertices, per face of the surface
+  std::vector<Eigen::Vector3d> vertex_normals;
+  std::vector<int> fan_begin;  // of each vertex in `fans`, and the end of the last
+  std::vector<int> fans;       // triangles around every vertex, one vertex after the other
+  Tree tree;
+
+  void gather_fans(std::size_t n_vertices) {
+    fan_begin.assign(n_vertices + 1, 0);
+    for (const int face : face_of) {
+      for (const int v : corners[at(face)]) ++fan_begin[at(v) + 1];
+    }
+    std::partial_sum(fan_begin.begin(), fan_begin.end(), fan_begin.begin());
+    fans.resize(3 * face_of.size());
+    std::vector<int> end = fan_begin;
+    for (std::size_t t = 0; t < face_of.size(); ++t) {
+      for (const int v : corners[at(face_of[t])]) fans[at(end[at(v)]++)] = static_cast<int>(t);
+    }
+  }
+
+  [[nodiscard]] Foot foot(int triangle, const Eigen::Vector3d& p) const {
+    const Kernel::Triangle_3& t = triangles[at(triangle)];
+    return foot_on({to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2])}, p);
+  }
+
+  /// The triangle nearest to p of those that share the corners of a foot.
+  [[nodiscard]] std::pair<int, Foot> nearest_sharing(int triangle, const Foot& foot,
+                                                     const Eigen::Vector3d& p) const {
+    std::pair<int, Foot> best = {triangle, foot};
+    const std::array<int, 3>& own = corners[at(face_of[at(triangle)])];
+    const auto v = at(own[foot.corners & 1U ? 0 : foot.corners & 2U ? 1 : 2]);
+    for (int i = fan_begin[v]; i < fan_begin[v + 1]; ++i) {
+      const int other = fans[at(i)];
+      const std::array<int, 3>& others = corners[at(face_of[at(other)])];
+      bool shares = other != triangle;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if ((foot.corners >> k & 1U) && std::ranges::count(others, own[k]) == 0) shares = false;
+      }
+      if (!shares) continue;
+      const Foot next = this->foot(other, p);
+      if (next.squared_distance < best.second.squared_distance) best = {other, next};
+    }
+    return best;
+  }
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  [[nodiscard]] Eigen::Vector3d vertex_position(VertexHandle v) const {
+    const int t = fans[at(fan_begin[index(v)])];
+    const auto& around = corners[at(face_of[at(t)])];
+    const auto k = std::ranges::find(around, v.idx()) - around.begin();
+    return to_eigen(triangles[at(t)][static_cast<int>(k)]);
+  }
+
+  [[nodiscard]] SurfacePoint answer(const Tree::Point_and_primitive_id& hit) const {
+    const auto triangle = static_cast<std::size_t>(hit.second - triangles.begin());
+    return {to_eigen(hit.first), face_of[triangle]};
+  }
+};
+
+SurfaceProjector::SurfaceProjector(const TriMesh& surface) : impl_(std::make_unique<Impl>()) {
+  impl_->corners = triangles_of(surface);
+  impl_->triangle_of.assign(surface.n_faces(), 0);
+  for (std::size_t f = 0; f < impl_->corners.size(); ++f) {
+    const auto [a, b, c] = impl_->corners[f];
+    const Kernel::Triangle_3 triangle(to_cgal(surface.point(VertexHandle(a))),
+                                      to_cgal(surface.point(VertexHandle(b))),
+                                      to_cgal(surface.point(VertexHandle(c))));
+    impl_->triangle_of[f] = static_cast<int>(impl_->triangles.size());
+    if (triangle.is_degenerate()) continue;  // nearest points need an area; the neighbors cover it
+    impl_->triangles.push_back(triangle);
+    impl_->face_of.push_back(static_cast<int>(f));
+  }
+  if (impl_->triangles.empty()) {
+    throw InvalidMesh("surface projector: no face of the surface has an area");
+  }
+  for (int& t : impl_->triangle_of) t = std::min(t, static_cast<int>(impl_->triangles.size()) - 1);
+  impl_->gather_fans(surface.n_vertices());
+  impl_->vertex_normals = angle_weighted_normals(surface);
+  impl_->tree.rebuild(impl_->triangles.cbegin(), impl_->triangles.cend());
+  impl_->tree.build();
+}
+
+SurfaceProjector::~SurfaceProjector() = default;
+SurfaceProjector::SurfaceProjector(SurfaceProjector&&) noexcept = default;
+SurfaceProjector& SurfaceProjector::operator=(SurfaceProjector&&) noexcept = default;
+
+SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p) const {
+  return impl_->answer(impl_->tree.closest_point_and_primitive(to_cgal(p)));
+}
+
+SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const {
+  const auto triangle =
+      impl_->triangles.cbegin() + impl_->triangle_of[static_cast<std::size_t>(face)];
+  const Kernel::Point_3 on_triangle =
+      Kernel().construct_projected_point_3_object()(*triangle, to_cgal(p));
+  return impl_->answer(
+      impl_->tree.closest_point_and_primitive(to_cgal(p), {on_triangle, triangle}));
+}
+
+const Eigen::Vector3d& SurfaceProjector::normal(VertexHandle v) const {
+  return impl_->vertex_normals[index(v)];
+}
+
+double SurfaceProjector::thickness(VertexHandle v) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto begin = impl_->fan_begin[index(v)];
+  const auto end = impl_->fan_begin[index(v) + 1];
+  const Eigen::Vector3d& normal = impl_->vertex_normals[index(v)];
+  if (begin == end || !normal.allFinite()) return infinity;
+  const auto around = std::span(impl_->fans).subspan(Impl::at(begin), Impl::at(end - begin));
+  const Eigen::Vector3d p = impl_->vertex_position(v);
+  // Not quite straight: on symmetric shapes rays would run along edges, and slip through.
+  const Eigen::Vector3d inwards = -normal + 1e-5 * Eigen::Vector3d(0.61, -0.35, 0.71);
+  const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
+  const auto hit = impl_->tree.first_intersection(ray, [&](Primitive::Id t) {
+    return std::ranges::count(around, static_cast<int>(t - impl_->triangles.cbegin())) > 0;
+  });
+  if (!hit) return infinity;
+  const Kernel::Triangle_3& there = *hit->second;
+  const Eigen::Vector3d a = to_eigen(there[0]);
+  const Eigen::Vector3d looks = (to_eigen(there[1]) - a).cross(to_eigen(there[2]) - a);
+  const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+  if (point == nullptr || looks.dot(normal) >= 0.0) return infinity;
+  return (to_eigen(*point) - p).norm();
+}
+
+SurfacePoint SurfaceProjector::walk_towards(const Eigen::Vector3d& p, int face) const {
+  constexpr unsigned inside = 7U;
+  int triangle = impl_->triangle_of[static_cast<std::size_t>(face)];
+  Foot foot = impl_->foot(triangle, p);
+  while (foot.corners != inside) {
+    const auto [next, there] = impl_->nearest_sharing(triangle, foot, p);
+    if (next == triangle) break;
+    triangle = next;
+    foot = there;
+  }
+  return {foot.position, impl_->face_of[static_cast<std::size_t>(triangle)]};
+}
+
+Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
+  const auto face = static_cast<std::size_t>(p.face);
+  const Kernel::Triangle_3& t =
+      impl_->triangles[static_cast<std::size_t>(impl_->triangle_of[face])];
+  const Eigen::Vector3d a = to_eigen(t[0]);
+  const Eigen::Vector3d b = to_eigen(t[1]);
+  const Eigen::Vector3d c = to_eigen(t[2]);
+  const Eigen::Vector3d face_normal = (b - a).cross(c - a);
+  const double area = face_normal.squaredNorm();
+  const double at_a = (b - p.position).cross(c - p.position).dot(face_normal) / area;
+  const double at_b = (c - p.position).cross(a - p.position).dot(face_normal) / area;
+  const auto vertex_normal = [&](std::size_t k) {
+    return impl_->vertex_normals[static_cast<std::size_t>(impl_->corners[face][k])];
+  };
+  const Eigen::Vector3d n =
+      at_a * vertex_normal(0) + at_b * vertex_normal(1) + (1.0 - at_a - at_b) * vertex_normal(2);
+  // Across a sharp fold vertex normals may cancel or point away; the face itself is then right.
+  if (n.dot(face_normal) <= 0.1 * n.norm() * face_normal.norm()) return face_normal.normalized();
+  return n.normalized();
+}
+
+}  // namespace trivalent::remesh
