@@ -25,9 +25,14 @@ function(trivalent_add_library name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# Compiles once what nearly every file of a target includes: half of the build time otherwise.
-# trivalent_precompile(target [EIGEN | MESH | PROGRAM] [TESTS]): vectors; meshes too; options and JSON too.
+# Compiles once what nearly every file of a target includes: a third of the build time otherwise.
+# trivalent_precompile(target EIGEN | MESH | PROGRAM | TEST): vectors; and meshes; and options and JSON, or GoogleTest.
+# A target with the compiler flags of an earlier one shares its headers: trivalent_precompile(target LIKE earlier).
 function(trivalent_precompile target headers)
+  if(headers STREQUAL "LIKE")
+    target_precompile_headers(${target} REUSE_FROM ${ARGN})
+    return()
+  endif()
   set(list <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <ostream> <span>
            <sstream> <string> <variant> <vector>)
   if(NOT headers STREQUAL "EIGEN")
@@ -38,8 +43,7 @@ function(trivalent_precompile target headers)
   list(APPEND list <Eigen/Core>)
   if(headers STREQUAL "PROGRAM")
     list(APPEND list <boost/program_options.hpp> <nlohmann/json.hpp>)
-  endif()
-  if("TESTS" IN_LIST ARGN)
+  elseif(headers STREQUAL "TEST")
     list(APPEND list <gtest/gtest.h>)
   endif()
   target_precompile_headers(${target} PRIVATE ${list})
@@ -47,7 +51,7 @@ endfunction()
 
 # trivalent_add_test(libremesh_tests SOURCES a_test.cpp ... LIBRARIES trivalent::remesh)
 function(trivalent_add_test name)
-  cmake_parse_arguments(ARG "" "HEADERS" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   trivalent_warnings(${name})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
@@ -55,7 +59,11 @@ function(trivalent_add_test name)
     TRIVALENT_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     TRIVALENT_MESHES="${TRIVALENT_MESHES}")
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
-  trivalent_precompile(${name} ${ARG_HEADERS} TESTS)
+  if(TARGET libremesh_tests AND NOT name STREQUAL "libremesh_tests")
+    trivalent_precompile(${name} LIKE libremesh_tests)
+  else()
+    trivalent_precompile(${name} TEST)
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
