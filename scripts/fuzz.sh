@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 shift || true
 targets=("$@")
-[[ ${#targets[@]} -gt 0 ]] || targets=(off obj ply stl vtp xyz atoms options repair)
+[[ ${#targets[@]} -gt 0 ]] || targets=(off obj ply stl vtk vtp vtu xyz atoms options repair)
 
 scripts/install_deps.sh
 cmake --preset release >/dev/null

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache git
-  libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev
+  libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev liblz4-dev pkg-config
   libboost-program-options-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev  # the fuzz targets

@@ -63,6 +63,11 @@ bool has_size(const Inspection& result) {
 }
 
 void judge(Inspection& result) {
+  if (result.diagnosis.points == 0) {
+    result.verdict = Verdict::hopeless;
+    result.reason = "it holds neither points nor faces; is it the right file?";
+    return;
+  }
   if (!has_size(result)) {
     result.verdict = Verdict::hopeless;
     result.reason = "the points span a diagonal of " + significant(result.box.diagonal()) +

@@ -14,15 +14,35 @@ SEEDS = {
             ('3 1 0\n' + POINTS + '3 0 1 2\n').replace('\n', '\r\n'),
             'COFF\n4 1 0\n0 0 0 1 2 3 4\n1 0 0 1 2 3 4\n1 1 0 1 2 3 4\n0 1 0 1 2 3 4\n4 0 1 2 3 0.1 0.2\n',
             'STNOFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2',
-            'OFF\n4 1 0\n' + POINTS + '1 1 0\n6 0 1 3 2 1 3\n'],  # a finding: a corner that comes again
+            'OFF\n4 1 0\n' + POINTS + '1 1 0\n6 0 1 3 2 1 3\n',  # a finding: a corner that comes again
+            'OFF5 2 0\n0 0 0\n.5 0 .2\n1 0 0\n.5 2 0\n.5 -2 0\n4 0 1 2 3\n4 0 4 2 1\n',
+            'OFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\3' + 6 * '\0\0\0\1' + '\0\0\1\0' + 2 * '\0\0\0\1'
+            + '\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0'],
     'obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n',
             'mtllib m\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 \\\n 3/1\nl 1 2\n',
             'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 .5 0\nv 0 2 0\nf 1 2 3 4 5\n'],
     'ply': ['ply\nformat ascii 1.0\ncomment a\n' + PLY.format('double', 'uchar', 'int') + POINTS + '3 0 1 2\n',
             'ply\nformat binary_big_endian 1.0\n' + PLY.format('char', 'char', 'char') + '123456789\3\0\1\2',
             'ply\nformat binary_little_endian 1.0\n' + PLY.format('short', 'uchar', 'ushort')
-            + '\0\0\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0\3\0\0\1\0\2\0'],
-    'stl': ['solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n'],
+            + '\0\0\0\0\0\0\1\0\0\0\0\0\0\0\1\0\0\0\3\0\0\1\0\2\0',
+            'ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\nelement tristrips 1\n'
+            'property list int int vertex_indices\nend_header\n' + POINTS + '5 0 1 2 -1 0\n',
+            ('ply\nformat binary_big_endian 1.0\n' + PLY.format('char', 'char', 'char')).replace('\n', '\n\r') + '123456789\3\0\1\2'],
+    'stl': ['solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n',
+            'solid a\nfacet normal -1.#IND 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet facet normal 0 0 1 '
+            'outer loop vertex 1e-9 0 0 vertex 0 1 0 vertex -1 0 0 endloop endfacet end solid a\n',
+            'streamed'.ljust(80) + '\0\0\0\0' + 12 * '\0' + ''.join(36 * 'a') + '\0\0'],
+    'vtk': ['# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n' + POINTS
+            + 'LINES 1 3\n2 0 1\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\n',
+            '# vtk DataFile Version 5.1\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD f 1\na 1 1 int\n1\nMETADATA\nINFORMATION 0\n\n'
+            'POINTS 3 double\n' + POINTS + 'CELLS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\nCELL_TYPES 1\n5\n',
+            '# vtk DataFile Version 2.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 3 char\n123456789\nTRIANGLE_STRIPS 1 4\n'
+            '\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\n'],
+    'vtu': ['<VTKFile type="UnstructuredGrid" compressor="vtkLZ4DataCompressor" byte_order="LittleEndian"><UnstructuredGrid>'
+            '<Piece NumberOfPoints="4" NumberOfCells="2"><Points><DataArray type="UInt8" format="appended" offset="0"/></Points><Cells>'
+            '<DataArray Name="connectivity">0 1 2 0 1 3 2</DataArray><DataArray Name="offsets">3 7</DataArray>'
+            '<DataArray Name="types">5 8</DataArray></Cells></Piece></UnstructuredGrid><AppendedData encoding="raw">'
+            '_\1\0\0\0\14\0\0\0\0\0\0\0\15\0\0\0\300abcdefghijkl</AppendedData></VTKFile>'],
     'vtp': ['<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1"><Points><DataArray type="Float32">'
             '0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray Name="connectivity">0 1 2</DataArray>'
             '<DataArray Name="offsets">3</DataArray></Polys></Piece></PolyData></VTKFile>',

@@ -17,7 +17,7 @@ function(trivalent_add_replay name source)
   set_tests_properties(Fuzz.ReplaysSeeds/${name} PROPERTIES FIXTURES_REQUIRED fuzz_seeds TIMEOUT 300)
 endfunction()
 
-foreach(kind off obj ply stl vtp xyz)
+foreach(kind off obj ply stl vtk vtp vtu xyz)
   trivalent_add_replay(${kind} fuzz_mesh.cpp trivalent::remesh)
   target_compile_definitions(replay_${kind} PRIVATE FUZZED_NAME="a.${kind}")
 endforeach()

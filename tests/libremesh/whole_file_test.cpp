@@ -65,6 +65,17 @@ TEST(WriteWholeFile, FollowsASymbolicLink) {
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
 }
 
+TEST(WriteWholeFile, FollowsLinksToWhereNoFileIsYet) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "results");
+  fs::create_symlink("results/later", folder.path() / "second");
+  fs::create_symlink(folder.path() / "second", folder.path() / "first");
+  write_whole_file(folder.path() / "first", write_hello);
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "first"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "second"));
+  EXPECT_EQ(contents_of(folder.path() / "results" / "later"), "hello\n");
+}
+
 TEST(WriteWholeFile, ThrowsOnAMissingFolder) {
   const TemporaryFolder folder;
   const auto message =

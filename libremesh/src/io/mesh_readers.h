@@ -17,15 +17,22 @@ namespace trivalent::remesh {
 [[nodiscard]] PolygonSoup read_ply(const Source& source);
 [[nodiscard]] PolygonSoup read_text_stl(const Source& source);
 [[nodiscard]] PolygonSoup read_binary_stl(const Source& source);
-[[nodiscard]] PolygonSoup read_vtp(const Source& source);
+/// VTK's files, legacy (.vtk) and of XML (.vtp, .vtu).
+[[nodiscard]] PolygonSoup read_vtk(const Source& source);
+[[nodiscard]] PolygonSoup read_vtk_xml(const Source& source);
 /// One point per line: three coordinates and whatever follows them.
 [[nodiscard]] PolygonSoup read_points(const Source& source);
 
-/// Whether a word is one of OFF's header words, such as OFF, COFF or STCN4nOFF.
+/// Whether a word is one of OFF's header words, such as OFF, COFF or STCN4nOFF; the number of
+/// vertices may follow without a blank (OFF490).
 [[nodiscard]] bool is_off_keyword(std::string_view word);
 
 /// Size that a binary STL file declares by its count of triangles; 0 if it is too short to tell.
 [[nodiscard]] std::uint64_t declared_stl_size(std::string_view bytes);
+
+/// Adds the triangles of a strip of corners. Those that repeat a corner, which only connect strips,
+/// are left out.
+void append_strip(PolygonSoup& soup, std::span<const int> strip);
 
 [[noreturn]] void fail(const Source& source, std::string_view problem);
 
@@ -41,8 +48,5 @@ void check_declared(const Source& source, const Declared& declared, std::size_t 
 
 /// "12 quads", "1 quad".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
-
-/// Puts corners that come with their own coordinates together where all bits agree.
-void weld_points(PolygonSoup& soup);
 
 }  // namespace trivalent::remesh

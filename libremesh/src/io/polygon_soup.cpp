@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
@@ -87,7 +86,7 @@ std::string unpack(const Source& source) {
 
 // ---- kind of file ------------------------------------------------------------------------------
 
-enum class Kind { off, obj, ply, text_stl, binary_stl, vtp, points };
+enum class Kind { off, obj, ply, text_stl, binary_stl, vtk, vtp, vtu, points };
 
 std::string name_of(Kind kind) {
   switch (kind) {
@@ -100,8 +99,12 @@ std::string name_of(Kind kind) {
     case Kind::text_stl:
     case Kind::binary_stl:
       return "STL";
+    case Kind::vtk:
+      return "VTK";
     case Kind::vtp:
       return "VTP";
+    case Kind::vtu:
+      return "VTU";
     case Kind::points:
       return "points";
   }
@@ -116,7 +119,7 @@ bool is_text_stl(const Source& source) {
   if (lower_case(std::string(first)) != "solid") return false;
   scanner.next_line();
   const std::string second = lower_case(std::string(scanner.word().substr(0, longest_keyword)));
-  return second == "facet" || second == "endsolid";
+  return second == "facet" || second == "endsolid" || second == "end";
 }
 
 /// By its size alone: such a file may begin with any bytes.
@@ -140,8 +143,12 @@ std::optional<Kind> kind_by_mark(const Source& source) {
   constexpr std::size_t longest_xml_head = 1000;
   const std::string_view bytes = source.bytes;
   if (is_binary_stl(bytes)) return Kind::binary_stl;
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::ply;
-  if (bytes.substr(0, longest_xml_head).find("<VTKFile") != bytes.npos) return Kind::vtp;
+  if (bytes.starts_with("ply") && bytes.find_first_of("\r\n") == bytes.find_first_not_of(" \t", 3))
+    return Kind::ply;
+  if (bytes.starts_with("# vtk DataFile")) return Kind::vtk;
+  const std::string_view head = bytes.substr(0, longest_xml_head);
+  if (head.find("<VTKFile") != head.npos)
+    return head.find("\"UnstructuredGrid\"") == head.npos ? Kind::vtp : Kind::vtu;
   if (is_text_stl(source)) return Kind::text_stl;
   if (is_off_keyword(TextScanner(source, Continuation::none).word_across_lines())) return Kind::off;
   return std::nullopt;
@@ -161,7 +168,9 @@ std::optional<Kind> kind_by_extension(const Source& source) {
   if (extension == ".ply") return Kind::ply;
   // Binary unless its content said otherwise.
   if (extension == ".stl") return Kind::binary_stl;
+  if (extension == ".vtk") return Kind::vtk;
   if (extension == ".vtp") return Kind::vtp;
+  if (extension == ".vtu") return Kind::vtu;
   if (extension == ".xyz" || extension == ".pwn") return Kind::points;
   return std::nullopt;
 }
@@ -183,8 +192,8 @@ Kind kind_of(const Source& source, std::optional<Kind> expected) {
   if (const auto kind = kind_by_first_word(source)) return *kind;
   fail(source,
        concat("neither its extension '", extension_of(source),
-              "' nor its content is known; save it as .off, .obj, .ply, .stl, .vtp, or .xyz for "
-              "points, each also with .gz"));
+              "' nor its content is known; save it as .off, .obj, .ply, .stl, .vtk, .vtp, .vtu, or "
+              ".xyz for points, each also with .gz"));
 }
 
 PolygonSoup read_kind(const Source& source, Kind kind) {
@@ -197,8 +206,11 @@ PolygonSoup read_kind(const Source& source, Kind kind) {
       return read_ply(source);
     case Kind::text_stl:
       return read_text_stl(source);
+    case Kind::vtk:
+      return read_vtk(source);
     case Kind::vtp:
-      return read_vtp(source);
+    case Kind::vtu:
+      return read_vtk_xml(source);
     case Kind::points:
       return read_points(source);
     case Kind::binary_stl:
@@ -227,75 +239,18 @@ void check_declared(const Source& source, const Declared& declared, std::size_t 
   }
 }
 
-std::string counted(std::size_t count, std::string_view thing) {
-  return concat(count, ' ', thing, count == 1 ? "" : "s");
+void append_strip(PolygonSoup& soup, std::span<const int> strip) {
+  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+    if (strip[i] == strip[i + 1] || strip[i + 1] == strip[i + 2] || strip[i] == strip[i + 2])
+      continue;
+    const std::size_t odd = i % 2;  // every other triangle runs the other way
+    for (const std::size_t k : {i + odd, i + 1 - odd, i + 2}) soup.corners.push_back(strip[k]);
+    soup.ends.push_back(soup.corners.size());
+  }
 }
 
-namespace {
-
-/// Numbers places in the order of their first points. Open addressing: with millions of points a
-/// node for each takes most of the reading.
-class PlaceTable {
- public:
-  int number_of(const Eigen::Vector3d& p) {
-    if (2 * places_.size() >= slots_.size()) grow();
-    int& slot = slot_of(p);
-    if (slot == empty) {
-      slot = static_cast<int>(places_.size());
-      places_.push_back(p);
-    }
-    return slot;
-  }
-  [[nodiscard]] std::vector<Eigen::Vector3d> take() { return std::move(places_); }
-
- private:
-  static constexpr int empty = -1;
-
-  static std::uint64_t hash(const Eigen::Vector3d& p) {
-    std::uint64_t hash = 0;
-    for (const double x : p) {
-      // The multiplier of [Steele2014]'s SplitMix64, which spreads every bit over the word.
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xbf58476d1ce4e5b9U;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
-
-  /// That of the place, or the empty one where it belongs.
-  int& slot_of(const Eigen::Vector3d& p) {
-    std::size_t i = hash(p) & (slots_.size() - 1);
-    while (slots_[i] != empty && places_[static_cast<std::size_t>(slots_[i])] != p) {
-      i = (i + 1) & (slots_.size() - 1);
-    }
-    return slots_[i];
-  }
-
-  void grow() {
-    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), empty);
-    for (std::size_t i = 0; i < places_.size(); ++i) slot_of(places_[i]) = static_cast<int>(i);
-  }
-
-  std::vector<Eigen::Vector3d> places_;
-  std::vector<int> slots_;  // a power of two
-};
-
-}  // namespace
-
-void weld_points(PolygonSoup& soup) {
-  PlaceTable table;
-  std::vector<int> new_index;
-  new_index.reserve(soup.points.size());
-  // + 0.0 turns -0.0 into 0.0.
-  for (const Eigen::Vector3d& p : soup.points) {
-    new_index.push_back(table.number_of(p + Eigen::Vector3d::Zero()));
-  }
-  const std::size_t corners = soup.points.size();
-  soup.points = table.take();
-  if (corners > 0) {
-    soup.notes.push_back(
-        concat("welded ", counted(corners, "corner"), " into ", soup.points.size(), " vertices"));
-  }
-  for (int& v : soup.corners) v = new_index[static_cast<std::size_t>(v)];
+std::string counted(std::size_t count, std::string_view thing) {
+  return concat(count, ' ', thing, count == 1 ? "" : "s");
 }
 
 BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {

@@ -37,7 +37,7 @@ class ObjReader {
   void read_statement(std::string_view keyword) {
     if (keyword == "v") {
       // A weight or a color may follow.
-      soup_.points.push_back(scanner_.position(soup_.points.size()));
+      soup_.points.push_back(scanner_.position(soup_.points.size(), 1));
     } else if (keyword == "f" || keyword == "fo") {
       read_face();
     } else if (std::find(unneeded.begin(), unneeded.end(), keyword) == unneeded.end()) {

@@ -129,14 +129,9 @@ Header read_header(TextScanner& scanner) {
 /// The numbers after the header, in any encoding.
 class Body {
  public:
-  Body(const Source& source, TextScanner& scanner, Encoding encoding)
-      : source_(source), scanner_(scanner), encoding_(encoding) {
-    if (encoding_ == Encoding::text) return;
-    // Exactly one line end separates the header from binary numbers, of the kind of the first line.
-    const std::size_t line_end =
-        source.bytes.substr(std::string_view("ply").size(), 2) == "\r\n" ? 2 : 1;
-    at_ = std::min(scanner.offset() + line_end, source.bytes.size());
-  }
+  /// @param begin  Offset of the first binary number; text is read from where the scanner stands.
+  Body(const Source& source, TextScanner& scanner, Encoding encoding, std::size_t begin)
+      : source_(source), scanner_(scanner), encoding_(encoding), at_(begin) {}
 
   [[nodiscard]] std::size_t bytes_left() const {
     return encoding_ == Encoding::text ? scanner_.bytes_left() : source_.bytes.size() - at_;
@@ -195,20 +190,22 @@ class Body {
   const Source& source_;
   TextScanner& scanner_;
   Encoding encoding_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   std::size_t rows_with_more_ = 0;
 };
 
+/// Reads the elements of one file.
 class PlyReader {
  public:
-  explicit PlyReader(const Source& source)
-      : source_(source),
-        scanner_(source, Continuation::none),
-        header_(read_header(scanner_)),
-        body_(source, scanner_, header_.encoding) {}
+  PlyReader(const Source& source, const Header& header, const Body& body)
+      : source_(source), header_(header), body_(body) {}
 
   PolygonSoup run() {
     for (const Element& element : header_.elements) read_element(element);
+    if (header_.encoding != Encoding::text && body_.bytes_left() > 0) {
+      soup_.notes.push_back(
+          concat("ignored ", counted(body_.bytes_left(), "byte"), " after the last element"));
+    }
     if (body_.rows_with_more() > 0) {
       soup_.notes.push_back(
           concat("ignored further columns on ", counted(body_.rows_with_more(), "line")));
@@ -216,6 +213,8 @@ class PlyReader {
     check_corners();
     return std::move(soup_);
   }
+
+  [[nodiscard]] std::size_t bytes_left() const { return body_.bytes_left(); }
 
  private:
   void read_element(const Element& element) {
@@ -229,8 +228,7 @@ class PlyReader {
     check_declared(source_, {things, element.count, least}, body_.bytes_left() + 1);
     if (element.name == "vertex") return read_vertices(element);
     if (element.name == "face") return read_faces(element);
-    if (element.name == "tristrips")
-      body_.fail("triangle strips are not read; write faces instead");
+    if (element.name == "tristrips") return read_strips(element);
     for (std::uint64_t i = 0; i < element.count; ++i) read_row(element, [](std::size_t, double) {});
     soup_.notes.push_back(
         concat("ignored ", counted(element.count, "element"), ' ', in_quotes(element.name)));
@@ -255,19 +253,42 @@ class PlyReader {
     }
   }
 
+  [[nodiscard]] std::size_t place_of_corners(const Element& element) const {
+    return place_of(element,
+                    has_property(element, "vertex_indices") ? "vertex_indices" : "vertex_index");
+  }
+
+  /// Strips, one or more of them in each list, with -1 between.
+  void read_strips(const Element& element) {
+    const std::size_t place = place_of_corners(element);
+    std::vector<int> strip;
+    const auto end_strip = [&] {
+      append_strip(soup_, strip);
+      strip.clear();
+    };
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      read_row(element, [&](std::size_t property, double value) {
+        if (property != place) return;
+        if (value == -1.0) return end_strip();
+        strip.push_back(checked_corner(value, "strip", i));
+      });
+      end_strip();
+    }
+  }
+
+  [[nodiscard]] int checked_corner(double value, std::string_view thing, std::uint64_t i) const {
+    if (value >= 0.0 && value <= std::numeric_limits<int>::max() && value == std::floor(value))
+      return static_cast<int>(value);
+    body_.fail(concat(thing, ' ', i, " (counted from 0) refers to vertex ", value));
+  }
+
   void read_faces(const Element& element) {
-    const std::size_t place = has_property(element, "vertex_indices")
-                                  ? place_of(element, "vertex_indices")
-                                  : place_of(element, "vertex_index");
+    const std::size_t place = place_of_corners(element);
     soup_.ends.reserve(soup_.ends.size() + element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       read_row(element, [&](std::size_t property, double value) {
         if (property != place) return;
-        if (!(value >= 0.0 && value <= std::numeric_limits<int>::max()) ||
-            value != std::floor(value)) {
-          body_.fail(concat("face ", i, " (counted from 0) refers to vertex ", value));
-        }
-        soup_.corners.push_back(static_cast<int>(value));
+        soup_.corners.push_back(checked_corner(value, "face", i));
       });
       soup_.ends.push_back(soup_.corners.size());
     }
@@ -316,14 +337,52 @@ class PlyReader {
   }
 
   const Source& source_;
-  TextScanner scanner_;
-  Header header_;
+  const Header& header_;
   Body body_;
   PolygonSoup soup_;
 };
 
+/// Where the numbers of a binary file may begin, the likelier offset first. One line end follows
+/// `end_header` and blanks, not always of the kind of the other lines; and the first number may
+/// look like a part of it.
+std::vector<std::size_t> possible_beginnings(std::string_view bytes, std::size_t header_end) {
+  const std::size_t line_end = std::min(bytes.find_first_not_of(" \t", header_end), bytes.size());
+  const std::size_t short_end = std::min(line_end + 1, bytes.size());
+  const std::size_t long_end = std::min(line_end + 2, bytes.size());
+  const std::string_view ending = bytes.substr(line_end, 2);
+  const bool is_pair = ending == "\r\n" || ending == "\n\r";
+  if (!is_pair) return {short_end};
+  const std::size_t first = std::min(bytes.find_first_of("\r\n"), bytes.size());
+  const std::string_view first_ending = bytes.substr(first, 2);
+  // CRLF ends a line unless lines end in CR alone; LFCR only where other lines end so.
+  const bool cr_alone = first_ending.front() == '\r' && first_ending != "\r\n";
+  const bool pair_is_likely = ending == "\r\n" ? !cr_alone : first_ending == "\n\r";
+  if (pair_is_likely) return {long_end, short_end};
+  return {short_end, long_end};
+}
+
 }  // namespace
 
-PolygonSoup read_ply(const Source& source) { return PlyReader(source).run(); }
+PolygonSoup read_ply(const Source& source) {
+  TextScanner scanner(source, Continuation::none);
+  const Header header = read_header(scanner);
+  const auto body_from = [&](std::size_t begin) {
+    return Body(source, scanner, header.encoding, begin);
+  };
+  if (header.encoding == Encoding::text) return PlyReader(source, header, body_from(0)).run();
+  const std::vector<std::size_t> beginnings = possible_beginnings(source.bytes, scanner.offset());
+  for (const std::size_t begin : beginnings) {
+    if (beginnings.size() == 1) break;
+    // The right offset leaves no byte over.
+    try {
+      PlyReader reader(source, header, body_from(begin));
+      PolygonSoup soup = reader.run();
+      if (reader.bytes_left() == 0) return soup;
+    } catch (const FileError&) {
+      continue;
+    }
+  }
+  return PlyReader(source, header, body_from(beginnings.front())).run();
+}
 
 }  // namespace trivalent::remesh

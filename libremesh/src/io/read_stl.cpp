@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/mesh_readers.h"
+#include "io/weld_points.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -48,8 +49,14 @@ class TextStlReader {
   }
 
  private:
-  /// Keywords come in upper or lower case.
+  /// Keywords come in upper or lower case, and some with a blank, as in `end solid`.
   std::string next() {
+    std::string word = next_word();
+    if (word == "end") word += next_word();
+    return word;
+  }
+
+  std::string next_word() {
     constexpr std::size_t longest_keyword = 16;
     return lower_case(std::string(scanner_.word_across_lines().substr(0, longest_keyword)));
   }
@@ -106,8 +113,11 @@ PolygonSoup read_binary_stl(const Source& source) {
   if (bytes.size() < header_size + count_size) {
     fail(source, concat("too short for an STL file: ", counted(bytes.size(), "byte")));
   }
-  const std::size_t triangles = little_endian_32(bytes.data() + header_size);
   const std::size_t body = header_size + count_size;
+  const std::size_t declared = little_endian_32(bytes.data() + header_size);
+  // Programs that write as they go leave the count at 0.
+  const bool is_streamed = declared == 0 && bytes.size() > body;
+  const std::size_t triangles = is_streamed ? (bytes.size() - body) / triangle_size : declared;
   check_declared(source, {"triangles", triangles, triangle_size}, bytes.size() - body);
   PolygonSoup soup;
   soup.points.reserve(3 * triangles);
@@ -122,6 +132,10 @@ PolygonSoup read_binary_stl(const Source& source) {
       soup.points.push_back(p);
     }
     soup.ends.push_back(soup.corners.size());
+  }
+  if (is_streamed) {
+    soup.notes.push_back(
+        concat("took ", counted(triangles, "triangle"), ", although the file declares none"));
   }
   const std::size_t left = bytes.size() - body - triangles * triangle_size;
   if (left > 0)

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <system_error>
 
 #include "trivalent/remesh/error.h"
@@ -13,6 +14,16 @@ namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+/// What Microsoft's library writes for numbers that are none, such as -1.#IND00.
+std::optional<double> parse_not_finite(std::string_view word) {
+  const bool is_negative = word.starts_with('-');
+  if (is_negative) word.remove_prefix(1);
+  if (!word.starts_with("1.#")) return std::nullopt;
+  if (word.substr(3, 3) != "INF") return std::numeric_limits<double>::quiet_NaN();
+  return is_negative ? -std::numeric_limits<double>::infinity()
+                     : std::numeric_limits<double>::infinity();
+}
 
 /// std::from_chars takes no plus sign.
 std::string_view without_plus(std::string_view word) {
@@ -26,7 +37,7 @@ std::optional<double> parse_number(std::string_view word) {
   word = without_plus(word);
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || end != word.data() + word.size()) return std::nullopt;
+  if (word.empty() || end != word.data() + word.size()) return parse_not_finite(word);
   // Too small or too large for a double: strtod tells which, by 0 or infinity.
   if (error == std::errc::result_out_of_range)
     return std::strtod(std::string(word).c_str(), nullptr);
@@ -67,6 +78,12 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+bool TextScanner::at_comment(std::size_t word_begin) const {
+  if (source_.bytes[at_] != '#') return false;
+  const std::string_view word = source_.bytes.substr(word_begin, at_ - word_begin);
+  return word != "1." && word != "-1." && word != "+1.";
+}
+
 bool TextScanner::at_continuation() const {
   return continuation_ == Continuation::backslash && source_.bytes[at_] == '\\' &&
          at_ + 1 < source_.bytes.size() && is_line_end(source_.bytes[at_ + 1]);
@@ -92,12 +109,37 @@ std::string_view TextScanner::word() {
   skip_blanks();
   const std::string_view bytes = source_.bytes;
   const std::size_t begin = at_;
-  while (!at_end() && !is_blank(bytes[at_]) && !is_line_end(bytes[at_]) && bytes[at_] != '#' &&
+  while (!at_end() && !is_blank(bytes[at_]) && !is_line_end(bytes[at_]) && !at_comment(begin) &&
          !at_continuation()) {
     ++at_;
   }
   within_line_ = within_line_ || at_ > begin;
   return bytes.substr(begin, at_ - begin);
+}
+
+std::string_view TextScanner::raw_line() {
+  const std::size_t begin = at_;
+  while (!at_end() && !is_line_end(source_.bytes[at_])) ++at_;
+  const std::string_view line = source_.bytes.substr(begin, at_ - begin);
+  if (!at_end()) skip_line_end();
+  return line;
+}
+
+void TextScanner::skip_to_blank_line() {
+  (void)raw_line();
+  while (!at_end() && raw_line().find_first_not_of(" \t") != std::string_view::npos) {
+  }
+}
+
+std::string_view TextScanner::bytes_after_line(std::size_t count) {
+  (void)raw_line();
+  if (count > bytes_left()) {
+    fail(concat("declares ", count, " bytes, more than the ", bytes_left(),
+                " that are left; is it cut short?"));
+  }
+  const std::string_view bytes = source_.bytes.substr(at_, count);
+  at_ += count;
+  return bytes;
 }
 
 bool TextScanner::next_line() {
@@ -140,11 +182,12 @@ std::int64_t TextScanner::integer(std::string_view what) {
   return *value;
 }
 
-Eigen::Vector3d TextScanner::position(std::size_t index) {
+Eigen::Vector3d TextScanner::position(std::size_t index, std::size_t first) {
   Eigen::Vector3d p;
   for (double& x : p) x = number("a coordinate");
   if (p.allFinite()) return p;
-  fail(concat("vertex ", index, " (counted from 0) has a coordinate that is not a finite number"));
+  fail(concat("vertex ", index + first, " (counted from ", first,
+              ") has a coordinate that is not a finite number"));
 }
 
 void TextScanner::fail(std::string_view problem) const {

@@ -15,7 +15,8 @@ struct Source {
   std::string name;
 };
 
-/// Number that fills the whole word, in any notation of C; may be infinite or NaN.
+/// Number that fills the whole word, in any notation of C, or as Microsoft's library writes what is
+/// no number (1.#IND); may be infinite or NaN.
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
 
@@ -28,7 +29,8 @@ struct Source {
 /// Whether a backslash at the end of a line joins the next one to it.
 enum class Continuation { none, backslash };
 
-/// Reads words line by line. Lines end in LF, CRLF or CR; comments run from # to there.
+/// Reads words line by line. Lines end in LF, CRLF or CR; comments run from # to there, but 1.#IND
+/// is a number.
 class TextScanner {
  public:
   TextScanner(const Source& source, Continuation continuation)
@@ -36,7 +38,7 @@ class TextScanner {
 
   /// Next word of this line; empty at its end.
   std::string_view word();
-  /// The same word once more, later.
+  /// The next word of this line, without consuming it.
   [[nodiscard]] std::string_view peek() const { return TextScanner(*this).word(); }
   /// Next word of this or a later line; empty at the end of the text.
   std::string_view word_across_lines();
@@ -45,11 +47,20 @@ class TextScanner {
   /// Skips what is left of the line; true if that held a word.
   bool skip_rest_of_line();
 
+  /// The rest of this line, whatever it holds; moves to the next one.
+  std::string_view raw_line();
+  /// Skips lines up to and with the next one that is blank.
+  void skip_to_blank_line();
+  /// So many bytes from behind the end of this line, whatever they hold.
+  /// @throws FileError if fewer are left.
+  std::string_view bytes_after_line(std::size_t count);
+
   /// The next number or integer, from this or a later line; `what` names it in the message.
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
-  /// Three finite coordinates of vertex `index`.
-  Eigen::Vector3d position(std::size_t index);
+  /// Three finite coordinates of vertex `index`, counted from 0; messages count from `first`, as
+  /// the format does.
+  Eigen::Vector3d position(std::size_t index, std::size_t first = 0);
 
   [[nodiscard]] std::size_t bytes_left() const { return source_.bytes.size() - at_; }
   [[nodiscard]] std::size_t offset() const { return at_; }
@@ -59,6 +70,8 @@ class TextScanner {
  private:
   [[nodiscard]] bool at_end() const { return at_ == source_.bytes.size(); }
   [[nodiscard]] bool at_continuation() const;
+  /// Whether a comment begins here, within or behind the word that began there.
+  [[nodiscard]] bool at_comment(std::size_t word_begin) const;
   void skip_blanks();
   void skip_line_end();
   [[noreturn]] void fail_on(std::string_view word, std::string_view what) const;

@@ -71,6 +71,17 @@ void write_directly(const fs::path& path, const std::function<void(std::ostream&
   if (!file.close()) fail_to_write(path, "cannot be written", errno);
 }
 
+/// Where a chain of symbolic links ends, whether anything exists there or not.
+fs::path end_of_links(fs::path path) {
+  constexpr int max_links = 40;  // as many as Linux follows
+  std::error_code ignored;
+  for (int i = 0; i < max_links && fs::is_symlink(path, ignored); ++i) {
+    const fs::path next = fs::read_symlink(path, ignored);
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
 }  // namespace
 
 void write_whole_file(const fs::path& path, const std::function<void(std::ostream&)>& write) {
@@ -81,8 +92,7 @@ void write_whole_file(const fs::path& path, const std::function<void(std::ostrea
   // Replacing a file needs no permission to write into it, so ask.
   if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
     fail_to_write(path, "cannot be replaced", errno);
-  const fs::path target =
-      fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  const fs::path target = end_of_links(path);
   PartFile part(target);
   write_through(target, part.file(), write);
   part.keep();

@@ -10,6 +10,7 @@
 
 #include "io/mesh_readers.h"
 #include "mesh/edge_table.h"
+#include "mesh/numbered_positions.h"
 #include "mesh/self_intersections.h"
 
 namespace trivalent::remesh {
@@ -214,24 +215,22 @@ bool MeshDiagnosis::is_oriented_manifold() const {
 MeshDiagnosis diagnose(const TriangleSoup& soup) { return Diagnosis(soup).run(); }
 
 Finding find_crossing_faces(const TriangleSoup& soup) {
-  // One index for each place.
-  PolygonSoup places{soup.points, std::vector<int>(soup.points.size()), {}, {}};
-  std::iota(places.corners.begin(), places.corners.end(), 0);
-  weld_points(places);
+  const NumberedPositions places = number_positions(soup.points);
   std::vector<std::array<int, 3>> triangles = soup.triangles;
   std::set<std::array<int, 3>> known;
   for (auto& triangle : triangles) {
-    for (int& v : triangle) v = places.corners[static_cast<std::size_t>(v)];
+    for (int& v : triangle) v = places.number_of[static_cast<std::size_t>(v)];
     std::array<int, 3> corners = triangle;
     std::sort(corners.begin(), corners.end());
     // All corners in one place: without an area, so that it crosses nothing.
     if (!known.insert(corners).second) triangle.fill(triangle[0]);
   }
-  const CrossingFaces crossing = find_crossing_faces(places.points, triangles);
+  const CrossingFaces crossing = find_crossing_faces(places.positions, triangles);
   Finding finding{Problem::crossing_faces, crossing.count, {}};
   for (const auto& pair : crossing.first) {
     const int corner = triangles[static_cast<std::size_t>(pair[0])][0];
-    finding.first.push_back({{pair[0], pair[1]}, places.points[static_cast<std::size_t>(corner)]});
+    finding.first.push_back(
+        {{pair[0], pair[1]}, places.positions[static_cast<std::size_t>(corner)]});
   }
   return finding;
 }

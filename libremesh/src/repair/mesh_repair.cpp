@@ -174,6 +174,7 @@ RepairResult mend(TriangleSoup soup, const RepairOptions& options, const MeshDia
     throw InvalidMesh(concat("repair: there are ", counted(soup.points.size(), "point"),
                              " but no faces; wrap them (repair method wrap)"));
   }
+  if (soup.triangles.empty()) throw InvalidMesh("repair: there are neither points nor faces");
   std::vector<std::string>& notes = soup.notes;
   note(notes, "set to zero", drop_vanishing_coordinates(soup), "vanishing coordinate");
   const bool was_clean = is_clean(diagnosis);

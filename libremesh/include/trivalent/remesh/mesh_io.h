@@ -14,12 +14,12 @@ struct MeshFile {
   std::vector<std::string> notes;  ///< one sentence per kind of change, e.g. "split 12 quads"
 };
 
-/// Reads OFF, OBJ, PLY, STL or VTP, text or binary, also gzipped.
+/// Reads OFF, OBJ, PLY, STL, VTK (legacy), VTP or VTU, text or binary, also gzipped.
 ///
 /// The content decides where it disagrees with the extension, or there is none (/dev/stdin).
 /// Polygons are split into triangles, corners of STL files welded where their coordinates are
-/// equal, isolated vertices dropped; all is noted. A count that the file declares is held against
-/// its size before memory is taken for it.
+/// equal or differ by rounding, isolated vertices dropped; all is noted. A count that the file
+/// declares is held against its size before memory is taken for it.
 ///
 /// @throws FileError   if the file is missing, unreadable, of an unknown kind, cut short, malformed
 ///   or without faces; the message names the line, byte or element.
