@@ -74,6 +74,15 @@ await test('a report of 20,000 atoms', async () => {
   const isShown = (text, value) => Math.abs(text - value) <= 5e-6 * Math.abs(value); // six digits
   assert.ok(isShown(ends[0], low) && isShown(ends[1], high), `${ends} for ${low}, ${high}`);
 
+  // A range that is typed holds, and another one can be typed after it.
+  for (const typed of [high + 0.1, high + 0.2]) {
+    await page.locator('#legend input').last().fill(String(typed));
+    await page.keyboard.press('Tab');
+    const shown = await page.evaluate(() => window.trivalent.scale.high);
+    assert.ok(Math.abs(shown - typed) < 1e-9, `${shown} for ${typed}`);
+  }
+  assert.deepEqual(opened.complaints, []);
+
   // The worst atom's row leads to it.
   const [worst] = json(trivalent('energy', 'shell/shell.extxyz')).worst;
   await page.locator('#worst button').first().click();

@@ -66,16 +66,20 @@ class Page {
     byId('subtitle').textContent = [state.name, `${count(state.total)} atoms`,
       ...(state.total > state.count ? [`a sample of ${count(state.count)} is shown`] : [])].join(' · ');
     this.clearSelection();
-    showLegend(byId('legend'), this.map, this.scale, (low, high) => {
-      this.scales.set(this.map.name, { ...this.scale, low, high });
-      this.paint();
-      this.#fillMapHistogram();
-      showLegend(byId('legend'), this.map, this.scale, this.legendChanged);
-    });
+    this.#showLegend();
     this.#fillMapHistogram();
     this.#fillNetHistograms();
     this.#fillWorst();
     this.showAtom(-1);
+  }
+
+  #showLegend() {
+    showLegend(byId('legend'), this.map, this.scale, (low, high) => {
+      this.scales.set(this.map.name, { ...this.scale, low, high });
+      this.paint();
+      this.#fillMapHistogram();
+      this.#showLegend();
+    });
   }
 
   paint() {

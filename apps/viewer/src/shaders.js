@@ -59,8 +59,8 @@ export const bonds = {
     in vec4 color, otherColor;
     uniform mat4 modelViewMatrix, projectionMatrix;
     uniform float bondRadius, depthPerUnit;
-    out vec3 tint, otherTint;
-    out float kept, depth, reach, side, along;
+    out vec3 tint;
+    out float kept, depth, reach, side;
     void main() {
       vec3 here = (modelViewMatrix * vec4(position, 1.0)).xyz;
       vec3 there = (modelViewMatrix * vec4(other, 1.0)).xyz;
@@ -70,17 +70,15 @@ export const bonds = {
       here.xy += vec2(-axis.y, axis.x) * corner.x * bondRadius;
       gl_Position = projectionMatrix * vec4(here, 1.0);
       tint = color.rgb;
-      otherTint = otherColor.rgb;
       kept = mix(0.12, 1.0, min(color.a, otherColor.a));
       depth = gl_Position.z * 0.5 + 0.5;
       reach = bondRadius * depthPerUnit;
       side = corner.x;
-      along = corner.y;
     }`,
   fragmentShader: `
     precision highp float;
-    in vec3 tint, otherTint;
-    in float kept, depth, reach, side, along;
+    in vec3 tint;
+    in float kept, depth, reach, side;
     out vec4 pixel;
     ${shading}
     void main() {
