@@ -259,6 +259,7 @@ BuildRecord build(const Session& session) {
   note_findings(record);
   if (session.has("no-relax")) return record;
   if (!stop) stop.emplace();
+  stop->keep_results();
   relax_shell(*stop, session, record);
   record.exit_code = stop->exit_code();
   record.stopwatch.finish("relax");

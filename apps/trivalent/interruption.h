@@ -25,6 +25,12 @@ class StopRequest {
   StopRequest& operator=(StopRequest&&) = delete;
   ~StopRequest();
 
+  /// Until keep_results(), the program ends without results 2 s after a signal other than Ctrl-C,
+  /// unless the work has ended by then: a job that is told to end is soon killed.
+  void answer_in_time() const;
+  /// The results are known and only need to be written, which may take longer.
+  void keep_results() const;
+
   /// A signal has come since the object was made.
   [[nodiscard]] bool is_made() const;
   /// 128 + the number of the signal, as shells count; 0 if there was none.

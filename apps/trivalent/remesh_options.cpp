@@ -50,6 +50,7 @@ remesh::CrystalOptions crystal_options(const Session& session, std::optional<Sto
   options.effort = effort_called(session.get<std::string>("effort"));
   options.seed = static_cast<std::uint64_t>(session.get<int>("seed"));
   stop.emplace();
+  stop->answer_in_time();
   options.should_stop = [&stop] { return stop->is_made(); };
   return options;
 }

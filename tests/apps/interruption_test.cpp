@@ -1,6 +1,9 @@
 #include "interruption.h"
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <thread>
 
 #include "program.h"
 
@@ -56,6 +59,32 @@ TEST_F(StopRequestDeathTest, TheFirstSignalAsksAndTheSecondEnds) {
     std::raise(SIGINT);
   };
   EXPECT_EXIT(ask_twice(), testing::KilledBySignal(SIGINT), "once more ends");
+}
+
+TEST_F(StopRequestDeathTest, WorkThatDoesNotStopEndsInTime) {
+  const auto ask_in_vain = [] {
+    handle_interruptions();
+    const StopRequest stop;
+    stop.answer_in_time();
+    std::raise(SIGTERM);
+    if (stop.is_made()) std::this_thread::sleep_for(std::chrono::seconds(10));
+  };
+  EXPECT_EXIT(ask_in_vain(), testing::KilledBySignal(SIGTERM), "nothing is kept");
+}
+
+TEST_F(StopRequestDeathTest, ResultsMayBeWrittenAtLeisure) {
+  const auto write_slowly = [](int signal) {
+    handle_interruptions();
+    const StopRequest stop;
+    stop.answer_in_time();
+    std::raise(signal);
+    if (signal != SIGINT) stop.keep_results();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+    std::_Exit(stop.exit_code());
+  };
+  EXPECT_EXIT(write_slowly(SIGTERM), testing::ExitedWithCode(128 + SIGTERM), "in 2 s is kept");
+  // Who presses Ctrl-C can press it again.
+  EXPECT_EXIT(write_slowly(SIGINT), testing::ExitedWithCode(128 + SIGINT), "keeping what there is");
 }
 
 TEST_F(StopRequestDeathTest, NobodyIsAskedAfterwards) {
