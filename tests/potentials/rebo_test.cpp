@@ -132,6 +132,15 @@ TEST(Rebo, StaysFiniteForCollidingAndCrowdedAtoms) {
   for (const auto& force : crowded.forces) EXPECT_TRUE(force.allFinite());
 }
 
+TEST(Rebo, RefusesAtomsThatAreTooDenseForAnyPotential) {
+  Atoms line = graphene(2, 1, 1.42);
+  line.box = {};
+  line.positions.clear();
+  for (int k = 0; k < 300; ++k) line.positions.emplace_back(0.005 * k, 0.0, 0.0);
+  line.species.assign(line.positions.size(), Species::carbon);
+  EXPECT_THROW((void)rebo(line), InvalidAtoms);
+}
+
 TEST(Rebo, ThrowsOnBadInput) {
   Atoms atoms = graphene(2, 1, 1.42);
   Atoms twice = atoms;

@@ -169,9 +169,18 @@ void Candidates::Builder::number_points() {
   }
 }
 
+/// Of one atom. The time grows with the third power of it, and diamond has four.
+constexpr std::uint32_t max_neighbors = 200;
+
 void Candidates::Builder::count_links() {
   result_.first.assign(atoms_.size() + 1, 0);
-  for_each_link([&](std::uint32_t atom, std::uint32_t) { ++result_.first[atom + 1]; });
+  for_each_link([&](std::uint32_t atom, std::uint32_t) {
+    if (++result_.first[atom + 1] > max_neighbors) {
+      throw InvalidAtoms(concat("rebo: more than ", max_neighbors,
+                                " atoms are within reach of atom ", result_.order[atom],
+                                "; they are too dense for any potential"));
+    }
+  });
   std::uint64_t sum = 0;
   for (std::uint32_t& count : result_.first) {
     sum += count;
