@@ -28,6 +28,45 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 Eigen::Vector3d to_eigen(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
+/// Halves the triangles of a node of the tree along its box's longest side, as CGAL does; but where
+/// that does not tell needles apart, which all reach from end to end, along the direction in which
+/// they lie side by side.
+class SplitTriangles {
+ public:
+  explicit SplitTriangles(const Tree::AABB_traits& traits) : by_box_(traits) {}
+
+  template <typename Iterator>
+  void operator()(Iterator first, Iterator beyond, const CGAL::Bbox_3& box) const {
+    constexpr std::ptrdiff_t few = 16;
+    constexpr double hardly_any = 0.25;  // of the spread in another direction
+    if (beyond - first > few) {
+      Eigen::AlignedBox3d middles;
+      for (Iterator t = first; t != beyond; ++t) middles.extend(middle_of(*t));
+      int widest = 0;
+      int longest = 0;
+      middles.sizes().maxCoeff(&widest);
+      Eigen::Vector3d(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin())
+          .maxCoeff(&longest);
+      if (middles.sizes()[longest] < hardly_any * middles.sizes()[widest]) {
+        std::nth_element(first, first + (beyond - first) / 2, beyond,
+                         [widest](const Primitive& a, const Primitive& b) {
+                           return middle_of(a)[widest] < middle_of(b)[widest];
+                         });
+        return;
+      }
+    }
+    by_box_(first, beyond, box);
+  }
+
+ private:
+  static Eigen::Vector3d middle_of(const Primitive& primitive) {
+    const Kernel::Triangle_3& t = *primitive.id();
+    return (to_eigen(t[0]) + to_eigen(t[1]) + to_eigen(t[2])) / 3.0;
+  }
+
+  Tree::AABB_traits::Split_primitives by_box_;
+};
+
 /// Vertex normals weighted by the faces' angles, which does not depend on how a polygon was split.
 std::vector<Eigen::Vector3d> angle_weighted_normals(const TriMesh& surface) {
   std::vector<Eigen::Vector3d> normals(surface.n_vertices(), Eigen::Vector3d::Zero());
@@ -168,7 +207,8 @@ SurfaceProjector::SurfaceProjector(const TriMesh& surface) : impl_(std::make_uni
   impl_->gather_fans(surface.n_vertices());
   impl_->vertex_normals = angle_weighted_normals(surface);
   impl_->tree.rebuild(impl_->triangles.cbegin(), impl_->triangles.cend());
-  impl_->tree.build();
+  const Tree::AABB_traits traits;
+  impl_->tree.custom_build(traits.compute_bbox_object(), SplitTriangles(traits));
 }
 
 SurfaceProjector::~SurfaceProjector() = default;
