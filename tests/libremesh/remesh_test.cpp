@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "mesh/surface_projector.h"
 #include "mesh_fixtures.h"
@@ -43,6 +46,41 @@ TEST(Remesh, CoarsensEightTimes) {
   const TriMesh coarse = remesh(sphere, {.target_edge_length = target}).mesh;
   EXPECT_EQ(testing_support::euler_characteristic(coarse), 2);
   expect_equalized(coarse, target);
+}
+
+/// A cylinder along z as CAD programs write it: a side of needles from end to end, lids as fans.
+TriMesh needle_cylinder(int corners, double length) {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const double z : {0.0, length}) {
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / corners;
+      points.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  points.emplace_back(0.0, 0.0, 0.0);
+  points.emplace_back(0.0, 0.0, length);
+  for (int a = 0; a < corners; ++a) {
+    const int b = (a + 1) % corners;
+    triangles.push_back({a, b, b + corners});
+    triangles.push_back({a, b + corners, a + corners});
+    triangles.push_back({2 * corners, b, a});
+    triangles.push_back({2 * corners + 1, a + corners, b + corners});
+  }
+  return make_mesh(points, triangles);
+}
+
+TEST(Remesh, JoinsNeedlesBeforeItSplitsThem) {
+  // Needles of 10000:1. Splitting them first would make 60 times the faces of the net.
+  const TriMesh cylinder = needle_cylinder(1000, 63.0);
+  int max_vertices = 0;
+  const RemeshResult result =
+      remesh(cylinder, {.target_edge_length = 0.5, .on_progress = [&](const RemeshProgress& state) {
+                          max_vertices = std::max(max_vertices, state.vertices);
+                        }});
+  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 2);
+  EXPECT_LT(max_vertices, 2 * static_cast<int>(result.mesh.n_vertices()));
+  EXPECT_LT(result.relative_spread, 0.15);
 }
 
 TEST(Remesh, KeepsEveryVertexOnTheOriginal) {

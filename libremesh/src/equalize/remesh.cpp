@@ -116,6 +116,29 @@ StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& opti
           .mends_valences = i <= mending_part * options.iterations};
 }
 
+/// Whether splitting the long edges alone would make a mesh far larger than the net: it consists of
+/// needles, which must be joined first.
+bool consists_of_needles(const TriMesh& mesh, double target) {
+  constexpr double max_faces = 50.0;  // times those of the net
+  double pieces = 0.0;
+  for (const auto e : mesh.edges()) pieces += mesh.calc_edge_length(e) / target;
+  return pieces * target * target > max_faces * surface_area(mesh) / area_of_equilateral;
+}
+
+/// Joins needles side by side, by collapses of their short edges.
+void join_needles(ConstrainedMesh& constrained, const StellarLimits& limits) {
+  constexpr int max_rounds = 50;  // each about halves their number
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const StellarLimits collapses_only = {.target = limits.target,
+                                        .shortest = limits.shortest,
+                                        .longest = infinity,
+                                        .overlong = infinity,
+                                        .mends_valences = false};
+  for (int round = 0; round < max_rounds; ++round) {
+    if (apply_stellar_operations(constrained, collapses_only) == 0) return;
+  }
+}
+
 /// One round of stellar operations and flips; more of them while the mean edge length is far from
 /// the target and comes nearer, so that a few iterations reach a target far from the input.
 void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
@@ -141,6 +164,19 @@ bool ends_at_crease(const TriMesh& mesh, EdgeHandle e) {
           return !mesh.is_boundary(other) && std::abs(mesh.calc_dihedral_angle(other)) > sharp;
         });
       });
+}
+
+/// Whether both faces of an edge are needles along it: too narrow to hold an edge of the net, so
+/// that their normals are right as they are, while dividing them makes many faces.
+bool lies_between_needles(const TriMesh& mesh, EdgeHandle e, double target) {
+  constexpr double min_width = 0.05;  // in target lengths
+  const double length = mesh.calc_edge_length(e);
+  for (const HalfedgeHandle h : {mesh.halfedge_handle(e, 0), mesh.halfedge_handle(e, 1)}) {
+    if (mesh.is_boundary(h)) continue;
+    const double width = 2.0 * mesh.calc_face_area(mesh.face_handle(h)) / length;
+    if (width > min_width * target) return false;
+  }
+  return true;
 }
 
 /// Up to here everything stays in the processor's cache, whatever the order.
@@ -196,7 +232,10 @@ TriMesh with_edges_divided(const TriMesh& surface, double target) {
   std::priority_queue<std::pair<double, int>> queue;
   const auto add = [&](EdgeHandle e) {
     const double length = divided.calc_edge_length(e);
-    if (length > longest * target && ends_at_crease(divided, e)) queue.emplace(length, -e.idx());
+    if (length > longest * target && ends_at_crease(divided, e) &&
+        !lies_between_needles(divided, e, target)) {
+      queue.emplace(length, -e.idx());
+    }
   };
   for (const auto e : divided.edges()) add(e);
   while (!queue.empty() && static_cast<double>(divided.n_faces()) < most_faces) {
@@ -215,6 +254,9 @@ TriMesh with_edges_divided(const TriMesh& surface, double target) {
 
 void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
                      const std::function<void(const RemeshProgress&)>& after_iteration) {
+  if (consists_of_needles(constrained.mesh, options.target_edge_length)) {
+    join_needles(constrained, limits_of_iteration(constrained.mesh, options, 1));
+  }
   std::size_t numbered = 0;  // vertices when they were last numbered
   for (int i = 1; i <= options.iterations; ++i) {
     const std::size_t vertices = constrained.mesh.n_vertices();
