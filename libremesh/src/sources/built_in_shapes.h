@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sources/shape_parts.h"
+
+/// The built-in shapes, one function each; shapes.cpp has the table of their names and parameters.
+namespace trivalent::remesh {
+
+// spheres.cpp
+[[nodiscard]] TriMesh sphere(const Request& request);
+[[nodiscard]] TriMesh ellipsoid(const Request& request);
+// revolved_shapes.cpp
+[[nodiscard]] TriMesh torus(const Request& request);
+[[nodiscard]] TriMesh capsule(const Request& request);
+[[nodiscard]] TriMesh tube(const Request& request);
+[[nodiscard]] TriMesh open_tube(const Request& request);
+// wavy_sheet.cpp
+[[nodiscard]] TriMesh wavy_sheet(const Request& request);
+// double_torus.cpp
+[[nodiscard]] TriMesh double_torus(const Request& request);
+
+}  // namespace trivalent::remesh
