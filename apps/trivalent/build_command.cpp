@@ -145,17 +145,13 @@ void relax_shell(const StopRequest& stop, const Session& session, BuildRecord& r
   const auto bonds = potentials::bonds_between(atoms, network.bonds);
   potentials::Rebo rebo;
   RelaxLine line(session.terminal);
-  record.relaxed =
-      potentials::relax(atoms,
-                        [&](const potentials::Atoms& moved) -> const potentials::EnergyForces& {
-                          return rebo.evaluate(moved);
-                        },
-                        {.max_steps = most_relaxation_steps,
-                         .bonds = bonds,
-                         .on_progress = [&](const potentials::RelaxProgress& state) {
-                           line.show(state);
-                           return !stop.is_made();
-                         }});
+  record.relaxed = potentials::relax(atoms, rebo,
+                                     {.max_steps = most_relaxation_steps,
+                                      .bonds = bonds,
+                                      .on_progress = [&](const potentials::RelaxProgress& state) {
+                                        line.show(state);
+                                        return !stop.is_made();
+                                      }});
   record.unrelaxed = std::move(record.after);
   record.unrelaxed->name = "dual, not relaxed";
   record.relaxation = report_relaxation(before, bonds, *record.relaxed);

@@ -19,20 +19,24 @@ potentials::LennardJonesOptions lennard_jones_options(const Session& session) {
           .shift = session.has("lj-shift")};
 }
 
+using PotentialPointer = std::unique_ptr<potentials::Potential>;
+
 /// A potential as the command line knows it.
 struct Potential {
   std::string_view name;
-  potentials::EnergyForces (*evaluate)(const potentials::Atoms&, const Session&);
+  PotentialPointer (*make)(const Session&);
 };
 
 constexpr std::array potentials_by_name = {
-    Potential{"rebo", [](const potentials::Atoms& atoms,
-                         const Session&) { return potentials::rebo(atoms); }},
-    Potential{"airebo", [](const potentials::Atoms& atoms,
-                           const Session&) { return potentials::airebo(atoms); }},
+    Potential{
+        "rebo",
+        [](const Session&) -> PotentialPointer { return std::make_unique<potentials::Rebo>(); }},
+    Potential{
+        "airebo",
+        [](const Session&) -> PotentialPointer { return std::make_unique<potentials::Airebo>(); }},
     Potential{"lj",
-              [](const potentials::Atoms& atoms, const Session& session) {
-                return potentials::lennard_jones(atoms, lennard_jones_options(session));
+              [](const Session& session) -> PotentialPointer {
+                return std::make_unique<potentials::LennardJones>(lennard_jones_options(session));
               }},
 };
 
@@ -59,8 +63,12 @@ void add_potential_options(po::options_description& options) {
 
 void check_potential(const Session& session) { static_cast<void>(chosen_potential(session)); }
 
+std::unique_ptr<potentials::Potential> make_potential(const Session& session) {
+  return chosen_potential(session).make(session);
+}
+
 potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const Session& session) {
-  return chosen_potential(session).evaluate(atoms, session);
+  return make_potential(session)->evaluate(atoms);
 }
 
 std::string potential_text(const Session& session) {
@@ -70,19 +78,6 @@ std::string potential_text(const Session& session) {
   text << chosen_potential(session).name << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff
        << ' ' << lj.shift;
   return text.str();
-}
-
-potentials::EnergyFunction energy_function(const Session& session) {
-  if (is_rebo(session)) {
-    const auto rebo = std::make_shared<potentials::Rebo>();
-    return [rebo](const potentials::Atoms& atoms) -> const potentials::EnergyForces& {
-      return rebo->evaluate(atoms);
-    };
-  }
-  const auto result = std::make_shared<potentials::EnergyForces>();
-  return [result, &session](const potentials::Atoms& atoms) -> const potentials::EnergyForces& {
-    return *result = evaluate(atoms, session);
-  };
 }
 
 double graphene_reference(const Session& session) {

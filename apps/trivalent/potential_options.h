@@ -1,13 +1,12 @@
 #pragma once
 
-#include <string>
-
+#include <memory>
 #include <string>
 
 #include "session.h"
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
-#include "trivalent/potentials/relax.h"
+#include "trivalent/potentials/potential.h"
 
 namespace trivalent::apps {
 
@@ -17,12 +16,12 @@ void add_potential_options(po::options_description& options);
 /// @throws UsageError if there is no such potential.
 void check_potential(const Session& session);
 
-/// Evaluates the potential that the options choose.
+/// The potential that the options choose.
+[[nodiscard]] std::unique_ptr<potentials::Potential> make_potential(const Session& session);
+
+/// Evaluates it once.
 [[nodiscard]] potentials::EnergyForces evaluate(const potentials::Atoms& atoms,
                                                 const Session& session);
-
-/// The same for atoms that move.
-[[nodiscard]] potentials::EnergyFunction energy_function(const Session& session);
 
 /// The potential and its parameters in words.
 [[nodiscard]] std::string potential_text(const Session& session);

@@ -129,10 +129,10 @@ potentials::RelaxResult relax_here(const Structure& structure,
   }
   potentials::Atoms atoms =
       resume_or_start(structure, mark, trajectory ? &*trajectory : nullptr, options, session);
-  potentials::EnergyFunction potential = energy_function(session);
+  const auto potential = make_potential(session);
   options.on_checkpoint = [&](const potentials::RelaxCheckpoint& state) {
     save_relaxation(checkpoint_path(session), mark, state, trajectory ? trajectory->size() : 0);
-    potential = energy_function(session);
+    potential->forget();
   };
   RelaxLine line(session.terminal);
   options.on_progress = [&](const potentials::RelaxProgress& state) {
@@ -140,7 +140,7 @@ potentials::RelaxResult relax_here(const Structure& structure,
     line.show(state);
     return !stop.is_made();
   };
-  auto relaxed = potentials::relax(std::move(atoms), std::cref(potential), options);
+  auto relaxed = potentials::relax(std::move(atoms), *potential, options);
   if (trajectory && !stop.is_made()) trajectory->finish();
   exit_code = stop.exit_code();
   return relaxed;

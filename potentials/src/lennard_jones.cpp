@@ -31,12 +31,20 @@ void require_valid_options(const LennardJonesOptions& options) {
 }  // namespace
 
 EnergyForces lennard_jones(const Atoms& atoms, const LennardJonesOptions& options) {
-  require_valid(atoms, "lennard_jones");
+  return LennardJones(options).evaluate(atoms);
+}
+
+LennardJones::LennardJones(const LennardJonesOptions& options) : options_(options) {
   require_valid_options(options);
+}
+
+void LennardJones::compute(const Atoms& atoms, EnergyForces& result) {
+  require_valid(atoms, "lennard_jones");
+  const LennardJonesOptions& options = options_;
   const CellGrid grid(atoms, options.cutoff);
   const double energy_at_cutoff = options.shift ? pair_energy(options.cutoff, options).value : 0.0;
 
-  EnergyForces result = zero_energy_forces(atoms.size());
+  set_zero(result, atoms.size());
   // Each pair is met from both ends: half of its energy and virial, and the whole force, go to
   // each.
   const auto sum_chunk = [&](std::size_t begin, std::size_t end) {
@@ -60,7 +68,6 @@ EnergyForces lennard_jones(const Atoms& atoms, const LennardJonesOptions& option
   const auto totals = sum_over_chunks<Totals>(grid.points().size(), sum_chunk);
   result.energy = totals.energy;
   result.virial = totals.virial;
-  return result;
 }
 
 }  // namespace trivalent::potentials

@@ -18,12 +18,12 @@ struct Totals {
   }
 };
 
-/// A result for n atoms, all zero.
-[[nodiscard]] inline EnergyForces zero_energy_forces(std::size_t n) {
-  EnergyForces result;
+/// Makes a result that of n atoms, all zero.
+inline void set_zero(EnergyForces& result, std::size_t n) {
+  result.energy = 0.0;
   result.energies.assign(n, 0.0);
   result.forces.assign(n, Eigen::Vector3d::Zero());
-  return result;
+  result.virial.setZero();
 }
 
 }  // namespace trivalent::potentials

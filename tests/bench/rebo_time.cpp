@@ -82,7 +82,11 @@ int main(int argc, char** argv) try {
     time_evaluations(atoms, evaluations, [&] { return potentials::airebo(atoms).energy; });
   } else {
     potentials::Rebo potential;
-    time_evaluations(atoms, evaluations, [&] { return potential.evaluate(atoms).energy; });
+    potentials::EnergyForces result;
+    time_evaluations(atoms, evaluations, [&] {
+      result = potential.evaluate(atoms, std::move(result));
+      return result.energy;
+    });
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -161,7 +161,8 @@ TEST(BicubicSpline, SlopesAreTheDerivatives) {
 using Term = double (BondOrder::*)(const Pair&, double) const;
 
 EnergyForces energy_of_term(const Atoms& atoms, Term term) {
-  EnergyForces result = zero_energy_forces(atoms.size());
+  EnergyForces result;
+  set_zero(result, atoms.size());
   const Bonds bonds(atoms, stuart_2000);  // its P_CC is not zero for pure carbon
   Gradient gradient(bonds, result);
   const BondOrder orders(bonds, stuart_2000, &gradient);

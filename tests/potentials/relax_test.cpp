@@ -21,18 +21,21 @@ using trivalent::testing_support::graphene;
 using trivalent::testing_support::leapfrog_shell;
 using trivalent::testing_support::nanotube;
 
-class ReboFunction {
- public:
-  const EnergyForces& operator()(const Atoms& atoms) { return rebo_.evaluate(atoms); }
-
- private:
-  Rebo rebo_;
-};
-
 RelaxResult relax_under_rebo(Atoms atoms, const RelaxOptions& options) {
-  ReboFunction rebo;
-  return relax(std::move(atoms), std::ref(rebo), options);
+  Rebo rebo;
+  return relax(std::move(atoms), rebo, options);
 }
+
+/// One spring between two atoms, 1.5 Å long.
+class Spring : public Potential {
+  void compute(const Atoms& atoms, EnergyForces& result) override {
+    const Eigen::Vector3d between = atoms.positions[1] - atoms.positions[0];
+    const double excess = between.norm() - 1.5;
+    result.energy = 10.0 * excess * excess;
+    result.forces = {20.0 * excess * between.normalized(), -20.0 * excess * between.normalized()};
+    result.energies = {0.5 * result.energy, 0.5 * result.energy};
+  }
+};
 
 double energy_per_atom(const RelaxResult& result) {
   return result.result.energy / static_cast<double>(result.atoms.size());
@@ -51,15 +54,7 @@ TEST_P(EveryMinimizer, BringsADimerToTheMinimumOfAParabola) {
   Atoms dimer;
   dimer.positions = {{0, 0, 0}, {1.0, 0.5, 0}};
   dimer.species.assign(2, Species::carbon);
-  EnergyForces result;
-  const EnergyFunction spring = [&](const Atoms& atoms) -> const EnergyForces& {
-    const Eigen::Vector3d between = atoms.positions[1] - atoms.positions[0];
-    const double excess = between.norm() - 1.5;
-    result.energy = 10.0 * excess * excess;
-    result.forces = {20.0 * excess * between.normalized(), -20.0 * excess * between.normalized()};
-    result.energies = {0.5 * result.energy, 0.5 * result.energy};
-    return result;
-  };
+  Spring spring;
   const auto relaxed = relax(dimer, spring, {.minimizer = GetParam(), .max_force = 1e-8});
   EXPECT_TRUE(relaxed.converged);
   EXPECT_NEAR((relaxed.atoms.positions[1] - relaxed.atoms.positions[0]).norm(), 1.5, 1e-8);
@@ -181,20 +176,20 @@ TEST(Relax, GoesOnFromACheckpointAsIfNothingHadHappened) {
   const auto bonds = bonds_within(geodesic_shell(4, 1.42), 1.8);
   RelaxOptions options = {.max_force = 1e-4, .bonds = bonds, .checkpoint_every = 5};
   std::vector<std::pair<RelaxOptions, Atoms>> checkpoints;
-  ReboFunction rebo;
+  Rebo rebo;
   options.on_checkpoint = [&](const RelaxCheckpoint& state) {
-    rebo = ReboFunction();
+    rebo.forget();
     checkpoints.emplace_back(options, state.atoms);
     auto& again = checkpoints.back().first;
     again.start = RelaxStart::direct;
     again.first_step = state.steps;
     again.first_evaluation = state.evaluations;
-    again.on_checkpoint = [&](const RelaxCheckpoint&) { rebo = ReboFunction(); };
+    again.on_checkpoint = [&](const RelaxCheckpoint&) { rebo.forget(); };
   };
-  const auto whole = relax(rough_shell(4), std::ref(rebo), options);
+  const auto whole = relax(rough_shell(4), rebo, options);
   ASSERT_GT(checkpoints.size(), 2U);
   for (const auto& [again, atoms] : checkpoints) {
-    const auto resumed = relax(atoms, std::ref(rebo), again);
+    const auto resumed = relax(atoms, rebo, again);
     EXPECT_EQ(resumed.atoms.positions, whole.atoms.positions);
     EXPECT_EQ(resumed.result.energy, whole.result.energy);
     EXPECT_EQ(resumed.steps, whole.steps);

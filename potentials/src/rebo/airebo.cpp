@@ -197,18 +197,20 @@ void add_torsion(const Bonds& bonds, EnergyForces& result) {
 }  // namespace
 
 EnergyForces airebo(const Atoms& atoms, const AireboOptions& options) {
+  return Airebo(options).evaluate(atoms);
+}
+
+void Airebo::compute(const Atoms& atoms, EnergyForces& result) {
   require_valid(atoms, "airebo");
-  Evaluator evaluator(stuart_2000, 0.0);
-  (void)evaluator.evaluate(atoms);
-  EnergyForces result = std::move(evaluator).take_result();
-  if (!options.lennard_jones && !options.torsion) return result;
+  constexpr double no_skin = 0.0;  // neighbors are used once
+  Evaluator(stuart_2000, no_skin).evaluate(atoms, result);
+  if (!options_.lennard_jones && !options_.torsion) return;
   const Bonds bonds(atoms, stuart_2000);
-  if (options.lennard_jones) {
+  if (options_.lennard_jones) {
     add_near_pairs(atoms, bonds, result);
     add_far_pairs(atoms, result);
   }
-  if (options.torsion) add_torsion(bonds, result);
-  return result;
+  if (options_.torsion) add_torsion(bonds, result);
 }
 
 }  // namespace trivalent::potentials

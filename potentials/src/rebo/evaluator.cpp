@@ -54,7 +54,10 @@ Evaluator::Evaluator(const Parameters& parameters, double skin, CleanKernel kern
       clean_kernel_(kernel),
       skin_(skin) {}
 
-const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
+void Evaluator::evaluate(const Atoms& atoms, EnergyForces& result) {
+  result_ = &result;
+  result.energies.resize(atoms.size());
+  result.forces.resize(atoms.size());
   const bool is_current = candidates_ && is_same_system(atoms) && evaluate_tiles(atoms);
   if (!is_current) {
     start(atoms);
@@ -67,10 +70,9 @@ const EnergyForces& Evaluator::evaluate(const Atoms& atoms) {
   auto totals =
       sum_over_parts<Totals>(tiles, [&](std::size_t t) { return add_forces_of_cutoffs(t); });
   for (const Totals& of_tile : totals_) totals += of_tile;
-  result_.energy = totals.energy;
+  result.energy = totals.energy;
   // Only the sum over all atoms is symmetric, since two atoms share the terms of a bond.
-  result_.virial = totals.virial.selfadjointView<Eigen::Upper>();
-  return result_;
+  result.virial = totals.virial.selfadjointView<Eigen::Upper>();
 }
 
 // All that atoms do to their links; false if one has moved too far for that.
@@ -172,8 +174,6 @@ void Evaluator::start(const Atoms& atoms) {
   cutoff_slopes_ = without_values<double>(links);
   other_slopes_ = without_values<double>(links);
   coordination_slopes_ = without_values<Coordination>(n);
-  result_.energies.resize(n);
-  result_.forces.resize(n);
 }
 
 // Copies the positions of some tiles, and of the images of their atoms; false if an atom has moved
@@ -392,8 +392,8 @@ void Evaluator::evaluate_general(std::size_t tile, TileSlopes& slopes) const {
 void Evaluator::prefetch_result(std::size_t atom) const {
   const Candidates& c = *candidates_;
   if (atom >= c.count()) return;
-  __builtin_prefetch(&result_.forces[c.order[atom]]);
-  __builtin_prefetch(&result_.energies[c.order[atom]]);
+  __builtin_prefetch(&result_->forces[c.order[atom]]);
+  __builtin_prefetch(&result_->energies[c.order[atom]]);
 }
 
 // Forces and energies from the links within the tile; returns the energy, which needs no others.
@@ -417,8 +417,8 @@ Totals Evaluator::gather(std::size_t tile, const TileSlopes& slopes) {
       if (back < links) other += slope(back);
     }
     const double energy = slopes.energies[i - begin];
-    result_.energies[c.order[i]] = energy + other[3];
-    result_.forces[c.order[i]] = (own - other).head<3>();
+    result_->energies[c.order[i]] = energy + other[3];
+    result_->forces[c.order[i]] = (own - other).head<3>();
     totals.energy += energy + own[3];
   }
   return totals;
@@ -437,8 +437,8 @@ void Evaluator::import_crossings(std::size_t tile) {
   const Candidates& c = *candidates_;
   for (std::uint32_t k = c.first_crossing[tile]; k < c.first_crossing[tile + 1]; ++k) {
     const auto& [atom, link, back] = c.crossings[k];
-    result_.forces[c.order[atom]] -= exports_[back].head<3>();
-    result_.energies[c.order[atom]] += exports_[back][3];
+    result_->forces[c.order[atom]] -= exports_[back].head<3>();
+    result_->energies[c.order[atom]] += exports_[back][3];
   }
 }
 
@@ -470,7 +470,7 @@ Totals Evaluator::add_forces_of_cutoffs(std::size_t tile) {
       const double from_there =
           cutoff_slopes_[c.reverse[link]] + coordination_slopes_[other].of(c.species[i]);
       const Eigen::Vector3d along = cosine_switch(r, cutoff).slope / r * bond;
-      result_.forces[c.order[i]] += (from_here + from_there) * along;
+      result_->forces[c.order[i]] += (from_here + from_there) * along;
       totals.virial -= from_here * along * bond.transpose();
     }
   }

@@ -31,10 +31,14 @@ class Evaluator {
  public:
   Evaluator(const Parameters& parameters, double skin, CleanKernel kernel = best_clean_kernel());
 
+  /// Sets all of `result`, whatever it held.
+  ///
   /// @throws InvalidAtoms as NeighborList does.
-  [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);
+  void evaluate(const Atoms& atoms, EnergyForces& result);
 
-  [[nodiscard]] EnergyForces take_result() && { return std::move(result_); }
+  /// Clears the neighbors and what is known of the tiles: the next evaluation is that of a new
+  /// object.
+  void forget() { candidates_.reset(); }
 
  private:
   // One value per tile; bytes, as several threads write to them.
@@ -106,7 +110,7 @@ class Evaluator {
   Array<double> cutoff_slopes_;
   Array<double> other_slopes_;
   Array<Coordination> coordination_slopes_;
-  EnergyForces result_;
+  EnergyForces* result_ = nullptr;  // of the evaluation under way
 };
 
 }  // namespace trivalent::potentials::rebo_detail

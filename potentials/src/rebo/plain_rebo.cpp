@@ -9,7 +9,8 @@
 namespace trivalent::potentials::rebo_detail {
 
 EnergyForces plain_rebo(const Atoms& atoms, const Parameters& parameters) {
-  EnergyForces result = zero_energy_forces(atoms.size());
+  EnergyForces result;
+  set_zero(result, atoms.size());
   const Bonds bonds(atoms, parameters);
   Gradient gradient(bonds, result);
   const BondOrder orders(bonds, parameters, &gradient);

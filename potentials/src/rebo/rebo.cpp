@@ -22,17 +22,20 @@ Rebo::Rebo(const ReboOptions& options)
     : evaluator_(std::make_unique<rebo_detail::Evaluator>(rebo_detail::brenner_2002,
                                                           checked_skin(options))) {}
 Rebo::~Rebo() = default;
-Rebo::Rebo(Rebo&&) noexcept = default;
-Rebo& Rebo::operator=(Rebo&&) noexcept = default;
 
-const EnergyForces& Rebo::evaluate(const Atoms& atoms) { return evaluator_->evaluate(atoms); }
+void Rebo::forget() { evaluator_->forget(); }
+
+void Rebo::compute(const Atoms& atoms, EnergyForces& result) {
+  evaluator_->evaluate(atoms, result);
+}
 
 EnergyForces rebo(const Atoms& atoms, const ReboOptions& options) {
   (void)checked_skin(options);
   constexpr double no_skin = 0.0;  // neighbors are used once
   rebo_detail::Evaluator evaluator(rebo_detail::brenner_2002, no_skin);
-  (void)evaluator.evaluate(atoms);
-  return std::move(evaluator).take_result();
+  EnergyForces result;
+  evaluator.evaluate(atoms, result);
+  return result;
 }
 
 }  // namespace trivalent::potentials

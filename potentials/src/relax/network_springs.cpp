@@ -38,8 +38,6 @@ NetworkSprings::NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds,
   }
   set_scales();
   bends_.assign(atoms.size(), Eigen::Vector3d::Zero());
-  result_.energies.assign(atoms.size(), 0.0);
-  result_.forces.assign(atoms.size(), Eigen::Vector3d::Zero());
 }
 
 void NetworkSprings::set_scales() {
@@ -72,15 +70,17 @@ double NetworkSprings::excess(const Atoms& atoms, std::size_t atom, const Link& 
   return length - std::clamp(length, options_.shortest, options_.longest);
 }
 
-const EnergyForces& NetworkSprings::evaluate(const Atoms& atoms) {
+void NetworkSprings::compute(const Atoms& atoms, EnergyForces& result) {
+  result.energies.resize(atoms.size());
+  result.forces.resize(atoms.size());
+  result.virial.setZero();
   if (have_moved(atoms)) find_contacts(atoms);
   find_bends(atoms);
-  result_.energy = sum_over_chunks<double>(atoms.size(), [&](std::size_t begin, std::size_t end) {
+  result.energy = sum_over_chunks<double>(atoms.size(), [&](std::size_t begin, std::size_t end) {
     double energy = 0.0;
-    for (std::size_t i = begin; i < end; ++i) energy += evaluate_atom(atoms, i);
+    for (std::size_t i = begin; i < end; ++i) energy += evaluate_atom(atoms, i, result);
     return energy;
   });
-  return result_;
 }
 
 bool NetworkSprings::have_moved(const Atoms& atoms) const {
@@ -135,7 +135,8 @@ void NetworkSprings::find_bends(const Atoms& atoms) {
 }
 
 // Sets the force on an atom; returns its half of all pairs and its own bend.
-double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom) {
+double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom,
+                                     EnergyForces& result) const {
   Eigen::Vector3d force = options_.smoothness * bends_[atom];
   double energy = 0.5 * options_.smoothness * bends_[atom].squaredNorm();
   for (const Link& link : bonded(atom)) {
@@ -152,8 +153,8 @@ double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom) {
     const double overlap = std::min(between.norm() - distance, 0.0);
     energy += add_spring(between, overlap, options_.contact_stiffness, force);
   }
-  result_.energies[atom] = energy;
-  result_.forces[atom] = force;
+  result.energies[atom] = energy;
+  result.forces[atom] = force;
   return energy;
 }
 

@@ -31,14 +31,14 @@ struct SpringOptions {
 
 /// Springs on a network: they cannot tear. They draw a rough network towards equal bonds and a
 /// smooth surface, or keep bonds within bounds under another potential.
-class NetworkSprings {
+class NetworkSprings : public Potential {
  public:
   NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds, const SpringOptions& options);
 
-  /// The result holds no virial and is valid until the next call.
-  [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);
-
  private:
+  /// The result holds no virial.
+  void compute(const Atoms& atoms, EnergyForces& result) override;
+
   struct Link {
     std::uint32_t atom;
     std::array<std::int32_t, 3> image;
@@ -62,7 +62,8 @@ class NetworkSprings {
   void find_bends(const Atoms& atoms);
   void find_contacts(const Atoms& atoms);
   [[nodiscard]] bool have_moved(const Atoms& atoms) const;
-  [[nodiscard]] double evaluate_atom(const Atoms& atoms, std::size_t atom);
+  [[nodiscard]] double evaluate_atom(const Atoms& atoms, std::size_t atom,
+                                     EnergyForces& result) const;
   [[nodiscard]] double add_spring(const Eigen::Vector3d& between, double excess, double stiffness,
                                   Eigen::Vector3d& force) const;
 
@@ -74,7 +75,6 @@ class NetworkSprings {
   std::vector<Link> contacts_;  // pairs that may come into contact, likewise
   std::vector<Eigen::Vector3d> positions_of_contacts_;
   std::vector<Eigen::Vector3d> bends_;  // from each atom to the mean of its bonded ones
-  EnergyForces result_;
 };
 
 }  // namespace trivalent::potentials::relax_detail

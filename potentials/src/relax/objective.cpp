@@ -20,7 +20,7 @@ Eigen::Matrix3d projector_on_periodic(const Box& box) {
 
 }  // namespace
 
-Objective::Objective(Atoms atoms, const EnergyFunction& potential, const RelaxOptions& options)
+Objective::Objective(Atoms atoms, Potential& potential, const RelaxOptions& options)
     : atoms_(std::move(atoms)),
       potential_(potential),
       guard_(atoms_, options.bonds, options.bond_limit),
@@ -45,10 +45,10 @@ Point Objective::start() {
 bool Objective::evaluate(Point& point) {
   place_atoms(point.coordinates);
   if (!guard_.allows(atoms_)) return false;
-  result_ = &potential_(atoms_);
+  result_ = potential_.evaluate(atoms_, std::move(result_));
   ++evaluations_;
-  if (!std::isfinite(result_->energy)) return false;
-  point.energy = result_->energy;
+  if (!std::isfinite(result_.energy)) return false;
+  point.energy = result_.energy;
   set_gradient(point.gradient);
   return true;
 }
@@ -71,7 +71,7 @@ void Objective::place_atoms(const Vector& coordinates) {
 void Objective::set_gradient(Vector& gradient) const {
   for_each_chunk(atoms_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d& f = result_->forces[i];
+      const Eigen::Vector3d& f = result_.forces[i];
       gradient.segment<3>(static_cast<Eigen::Index>(3 * i)) =
           has_cell_ ? Eigen::Vector3d(-deformation_.transpose() * f) : Eigen::Vector3d(-f);
     }
@@ -80,7 +80,7 @@ void Objective::set_gradient(Vector& gradient) const {
     gradient.segment<3>(static_cast<Eigen::Index>(std::size_t{3} * atom)).setZero();
   }
   if (!has_cell_) return;
-  const Eigen::Matrix3d slope = -result_->virial * deformation_.inverse().transpose();
+  const Eigen::Matrix3d slope = -result_.virial * deformation_.inverse().transpose();
   const Eigen::Matrix3d symmetric = 0.5 * (slope + slope.transpose());
   Eigen::Matrix3d::Map(gradient.data() + 3 * atoms_.size()) =
       free_directions_ * symmetric * free_directions_ / cell_length_;

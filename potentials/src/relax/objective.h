@@ -17,7 +17,7 @@ struct Point {
 /// seen to here, and minimizers need not know about either.
 class Objective {
  public:
-  Objective(Atoms atoms, const EnergyFunction& potential, const RelaxOptions& options);
+  Objective(Atoms atoms, Potential& potential, const RelaxOptions& options);
 
   /// Where the atoms are at the beginning.
   [[nodiscard]] Point start();
@@ -28,7 +28,7 @@ class Objective {
 
   /// The atoms of the last evaluation.
   [[nodiscard]] const Atoms& atoms() const { return atoms_; }
-  [[nodiscard]] const EnergyForces& result() const { return *result_; }
+  [[nodiscard]] const EnergyForces& result() const { return result_; }
   [[nodiscard]] int evaluations() const { return evaluations_; }
   /// Lets the bonds be as long as they are now, where they exceed the limit.
   void accept() { guard_.accept(atoms_); }
@@ -38,10 +38,10 @@ class Objective {
   void set_gradient(Vector& gradient) const;
 
   Atoms atoms_;
-  const EnergyFunction& potential_;
+  Potential& potential_;
   BondGuard guard_;
   std::vector<std::uint32_t> fixed_;
-  const EnergyForces* result_ = nullptr;
+  EnergyForces result_;
   int evaluations_ = 0;
   bool has_cell_;
   Eigen::Matrix3d first_cell_;

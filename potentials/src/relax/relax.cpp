@@ -23,10 +23,29 @@ struct StageOptions {
   int max_steps;
 };
 
+/// A potential and springs.
+class WithSprings : public Potential {
+ public:
+  WithSprings(Potential& potential, NetworkSprings& springs)
+      : potential_(potential), springs_(springs) {}
+
+ private:
+  void compute(const Atoms& atoms, EnergyForces& result) override {
+    result = potential_.evaluate(atoms, std::move(result));
+    addition_ = springs_.evaluate(atoms, std::move(addition_));
+    result.energy += addition_.energy;
+    for (std::size_t i = 0; i < result.forces.size(); ++i) result.forces[i] += addition_.forces[i];
+  }
+
+  Potential& potential_;
+  NetworkSprings& springs_;
+  EnergyForces addition_;
+};
+
 /// Runs the stages of a relaxation one after the other.
 class Relaxation {
  public:
-  Relaxation(Atoms atoms, const EnergyFunction& potential, const RelaxOptions& options)
+  Relaxation(Atoms atoms, Potential& potential, const RelaxOptions& options)
       : potential_(potential), options_(options), n_atoms_(static_cast<double>(atoms.size())) {
     result_.atoms = std::move(atoms);
     result_.steps = options.first_step;
@@ -49,7 +68,7 @@ class Relaxation {
     }
     if (!result_.converged && !was_stopped_ && result_.steps < options_.max_steps) hold_bonds();
     // A stage that was stopped may have been one of springs.
-    if (was_stopped_) result_.result = potential_(result_.atoms);
+    if (was_stopped_) result_.result = potential_.evaluate(result_.atoms);
     return std::move(result_);
   }
 
@@ -60,16 +79,14 @@ class Relaxation {
   void draw_by_springs(const std::vector<double>& lengths, double smoothness, int max_steps);
   /// Puts springs on bonds that want to tear.
   void hold_bonds();
-  /// The potential and springs.
-  [[nodiscard]] EnergyFunction with_springs(NetworkSprings& springs, EnergyForces& sum) const;
   /// Returns whether it ended only because of the stage's number of steps.
-  bool descend(const EnergyFunction& potential, const StageOptions& stage);
+  bool descend(Potential& potential, const StageOptions& stage);
   [[nodiscard]] bool wants_more(const StageOptions& stage, const Objective& objective,
                                 const Point& point);
 
   [[nodiscard]] bool has_settled(std::deque<double>& energies, double energy) const;
 
-  const EnergyFunction& potential_;
+  Potential& potential_;
   const RelaxOptions& options_;
   double n_atoms_;
   std::optional<BondLaplacian> network_;
@@ -124,10 +141,10 @@ void Relaxation::start_gently() {
                          .smoothness = 0.0,
                          .contact = {.second = 2.05, .third = 2.3, .others = 2.6},
                          .contact_stiffness = 100.0});
-  EnergyForces sum;
-  descend(with_springs(bounds, sum), {.stage = RelaxStage::guarded,
-                                      .max_force = std::max(0.3, options_.max_force),
-                                      .max_steps = 1000});
+  WithSprings bounded(potential_, bounds);
+  descend(bounded, {.stage = RelaxStage::guarded,
+                    .max_force = std::max(0.3, options_.max_force),
+                    .max_steps = 1000});
 }
 
 void Relaxation::draw_by_springs(const std::vector<double>& lengths, double smoothness,
@@ -141,18 +158,7 @@ void Relaxation::draw_by_springs(const std::vector<double>& lengths, double smoo
                           .contact = {.second = 2.2, .third = 2.5, .others = 3.0},
                           .contact_stiffness = 20.0,
                           .rest_lengths = lengths});
-  descend([&](const Atoms& atoms) -> const EnergyForces& { return springs.evaluate(atoms); },
-          {.stage = RelaxStage::springs, .max_force = 0.3, .max_steps = max_steps});
-}
-
-EnergyFunction Relaxation::with_springs(NetworkSprings& springs, EnergyForces& sum) const {
-  return [&, this](const Atoms& atoms) -> const EnergyForces& {
-    const EnergyForces& addition = springs.evaluate(atoms);
-    sum = potential_(atoms);
-    sum.energy += addition.energy;
-    for (std::size_t i = 0; i < sum.forces.size(); ++i) sum.forces[i] += addition.forces[i];
-    return sum;
-  };
+  descend(springs, {.stage = RelaxStage::springs, .max_force = 0.3, .max_steps = max_steps});
 }
 
 void Relaxation::hold_bonds() {
@@ -164,17 +170,17 @@ void Relaxation::hold_bonds() {
                         .smoothness = 0.0,
                         .contact = {},
                         .contact_stiffness = 0.0});
-  EnergyForces sum;
-  descend(with_springs(holds, sum), {.stage = RelaxStage::held,
-                                     .max_force = options_.max_force,
-                                     .max_steps = options_.max_steps});
+  WithSprings holding(potential_, holds);
+  descend(holding, {.stage = RelaxStage::held,
+                    .max_force = options_.max_force,
+                    .max_steps = options_.max_steps});
   for (const Bond& bond : options_.bonds) {
     if (bond_length(result_.atoms, bond) > longest_free_bond) result_.held.push_back(bond);
   }
-  result_.result = potential_(result_.atoms);
+  result_.result = potential_.evaluate(result_.atoms);
 }
 
-bool Relaxation::descend(const EnergyFunction& potential, const StageOptions& stage) {
+bool Relaxation::descend(Potential& potential, const StageOptions& stage) {
   RelaxOptions options = options_;
   if (stage.stage != RelaxStage::free) {
     options.box = BoxPolicy::fixed;
@@ -262,7 +268,7 @@ void check_options(const Atoms& atoms, const RelaxOptions& options) {
 
 }  // namespace
 
-RelaxResult relax(Atoms atoms, const EnergyFunction& potential, const RelaxOptions& options) {
+RelaxResult relax(Atoms atoms, Potential& potential, const RelaxOptions& options) {
   require_valid(atoms, "relax");
   check_options(atoms, options);
   return relax_detail::Relaxation(std::move(atoms), potential, options).run();

@@ -2,6 +2,7 @@
 
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/potential.h"
 
 namespace trivalent::potentials {
 
@@ -23,5 +24,16 @@ struct AireboOptions {
 ///
 /// Cost: O(n · pairs within 10.2 Å); the same bytes on any number of threads.
 [[nodiscard]] EnergyForces airebo(const Atoms& atoms, const AireboOptions& options = {});
+
+/// airebo() as an object. Nothing is kept between evaluations.
+class Airebo : public Potential {
+ public:
+  explicit Airebo(const AireboOptions& options = {}) : options_(options) {}
+
+ private:
+  void compute(const Atoms& atoms, EnergyForces& result) override;
+
+  AireboOptions options_;
+};
 
 }  // namespace trivalent::potentials

@@ -2,6 +2,7 @@
 
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/potential.h"
 
 namespace trivalent::potentials {
 
@@ -25,5 +26,17 @@ struct LennardJonesOptions {
 /// Cost: O(n · pairs per atom) time, O(n) memory; the same bytes on any number of threads.
 [[nodiscard]] EnergyForces lennard_jones(const Atoms& atoms,
                                          const LennardJonesOptions& options = {});
+
+/// lennard_jones() as an object. Nothing is kept between evaluations.
+class LennardJones : public Potential {
+ public:
+  /// @throws InvalidOption  if an option is out of its range.
+  explicit LennardJones(const LennardJonesOptions& options = {});
+
+ private:
+  void compute(const Atoms& atoms, EnergyForces& result) override;
+
+  LennardJonesOptions options_;
+};
 
 }  // namespace trivalent::potentials

@@ -4,6 +4,7 @@
 
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/potential.h"
 
 namespace trivalent::potentials {
 
@@ -30,21 +31,20 @@ struct ReboOptions {
 
 /// The same potential for atoms that move: neighbors are kept from one evaluation to the next for
 /// as long as no atom has moved by more than half the skin.
-class Rebo {
+class Rebo : public Potential {
  public:
   /// @throws InvalidOption  if an option is out of its range.
   explicit Rebo(const ReboOptions& options = {});
-  ~Rebo();
-  Rebo(Rebo&&) noexcept;
-  Rebo& operator=(Rebo&&) noexcept;
+  Rebo(const Rebo&) = delete;
+  Rebo& operator=(const Rebo&) = delete;
+  ~Rebo() override;
 
-  /// Evaluates the atoms. Box, species and number of atoms may change from call to call; neighbors
-  /// are then found anew. The result stays valid, and its memory in use, until the next call.
-  ///
-  /// @throws InvalidAtoms  as rebo() does.
-  [[nodiscard]] const EnergyForces& evaluate(const Atoms& atoms);
+  void forget() override;
 
  private:
+  /// @throws InvalidAtoms  as rebo() does.
+  void compute(const Atoms& atoms, EnergyForces& result) override;
+
   std::unique_ptr<rebo_detail::Evaluator> evaluator_;
 };
 

@@ -7,12 +7,9 @@
 #include "trivalent/potentials/atoms.h"
 #include "trivalent/potentials/bonds.h"
 #include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/potential.h"
 
 namespace trivalent::potentials {
-
-/// Energy and forces of atoms, such as Rebo::evaluate. The result it refers to must outlive the
-/// call until the next one: a function object that returns a value must keep it.
-using EnergyFunction = std::function<const EnergyForces&(const Atoms&)>;
 
 enum class Minimizer {
   fire,   ///< damped dynamics [Bitzek2006]
@@ -72,8 +69,8 @@ struct RelaxOptions {
   int first_evaluation = 0;      ///< likewise
   int checkpoint_every =
       200;  ///< steps under the potential, >= 1: the minimizer then starts afresh
-  /// Before the first step of each start under the potential, which is then evaluated again; what
-  /// it remembers of former evaluations should be forgotten here, if bits matter.
+  /// Before the first step of each start under the potential. For bit-identical resumption, the
+  /// potential must forget() here.
   std::function<void(const RelaxCheckpoint&)> on_checkpoint = {};
   /// Before the first step and after each; returns false to stop there.
   std::function<bool(const RelaxProgress&)> on_progress = {};
@@ -108,7 +105,7 @@ struct RelaxResult {
 /// @throws InvalidOption  if an option is out of its range.
 ///
 /// Cost: steps · (evaluation of the potential + O(n log n)).
-[[nodiscard]] RelaxResult relax(Atoms atoms, const EnergyFunction& potential,
+[[nodiscard]] RelaxResult relax(Atoms atoms, Potential& potential,
                                 const RelaxOptions& options = {});
 
 }  // namespace trivalent::potentials
