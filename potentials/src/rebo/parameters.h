@@ -6,8 +6,9 @@
 #include "rebo/splines.h"
 #include "trivalent/potentials/atoms.h"
 
-/// Numbers of the second-generation REBO potential and of the bonded part of AIREBO, as they are
-/// printed; factors that the formulas apply are applied where the formulas are.
+/// Numbers of the second-generation REBO potential and of the bonded part of AIREBO as they are
+/// printed, except pi_splines and dihedral_spline: these hold half of the printed values, as LAMMPS
+/// does, since they are added to the bond order outside of its factor 1/2.
 ///
 /// Units: Å, eV, and their powers. Sources: [Brenner2002] and [Stuart2000] as they are evaluated by
 /// LAMMPS [LAMMPS], whose digits are kept where print and program differ.
