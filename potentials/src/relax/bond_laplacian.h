@@ -8,11 +8,11 @@
 
 namespace trivalent::potentials::relax_detail {
 
-/// How stiff a network of bonds is, seen from afar: springs of one stiffness along all bonds, alike
-/// in all directions.
+/// Preconditioner [Packwood2016]: the stiffness of a network whose bonds are springs of one
+/// stiffness, isotropic.
 ///
-/// As a preconditioner [Packwood2016] it takes the stretching of large pieces out of a minimizer's
-/// way; what is left are bending modes. It depends on the network only and is factorized once.
+/// It removes the slow stretching modes of large pieces from a minimization and leaves the bending
+/// modes. It depends on the network only and is factorized once.
 class BondLaplacian {
  public:
   /// @param n_atoms  number of atoms
@@ -20,7 +20,7 @@ class BondLaplacian {
   BondLaplacian(std::size_t n_atoms, std::span<const Bond> bonds,
                 std::span<const std::uint32_t> fixed);
 
-  /// Replaces forces [eV/Å] on all coordinates by the way [Å] to where they would vanish.
+  /// Replaces forces [eV/Å] on all coordinates by the displacements [Å] at which they would vanish.
   void solve(Vector& forces) const;
 
  private:

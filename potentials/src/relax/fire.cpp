@@ -7,8 +7,7 @@ namespace trivalent::potentials::relax_detail {
 
 namespace {
 
-/// FIRE [Bitzek2006]. Masses are 1,
-/// so that a step of time squared is a softness [Å²/eV].
+/// FIRE [Bitzek2006]. Masses are 1: a time step squared is an inverse curvature [Å²/eV].
 class Fire : public Minimization {
  public:
   explicit Fire(double max_move) : max_move_(max_move) {}
@@ -23,30 +22,30 @@ class Fire : public Minimization {
     velocity_ *= 1.0 - mixing_;
     if (force > 0.0) add_multiple(velocity_, -mixing_ * speed / force, point.gradient);
     if (++downhill_ > patience) {
-      time_step_ = std::min(time_step_ * 1.1, longest_step);
+      time_step_ = std::min(time_step_ * 1.1, max_time_step);
       mixing_ *= 0.99;
     }
     return move(objective, point);
   }
 
  private:
-  static constexpr double first_step = 0.05;
-  static constexpr double longest_step = 0.15;
+  static constexpr double first_time_step = 0.05;
+  static constexpr double max_time_step = 0.15;
   static constexpr double first_mixing = 0.25;
   static constexpr int patience = 20;
 
   void slow_down(Point&) {
     velocity_.setZero();
     mixing_ = first_mixing;
-    time_step_ = std::max(0.5 * time_step_, 0.02 * first_step);
+    time_step_ = std::max(0.5 * time_step_, 0.02 * first_time_step);
     downhill_ = 0;
   }
 
   bool move(Objective& objective, Point& point) {
-    constexpr int most_attempts = 20;
+    constexpr int max_attempts = 20;
     Point next;
     next.gradient.setZero(point.gradient.size());
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       const double largest = largest_triple(velocity_);
       const double fraction =
           largest > 0.0 ? std::min(time_step_, max_move_ / largest) : time_step_;
@@ -65,7 +64,7 @@ class Fire : public Minimization {
 
   double max_move_;
   Vector velocity_;
-  double time_step_ = first_step;
+  double time_step_ = first_time_step;
   double mixing_ = first_mixing;
   int downhill_ = 0;
 };

@@ -7,11 +7,12 @@ namespace trivalent::potentials::relax_detail {
 
 namespace {
 
-/// Limited-memory BFGS [Nocedal2006, Algorithm 7.5], steps halved or interpolated until they go
-/// downhill and tear nothing.
+/// Limited-memory BFGS [Nocedal2006, Algorithm 7.5]. A step that does not lower the energy, or
+/// would tear a bond, is shortened.
 class Lbfgs : public Minimization {
  public:
-  Lbfgs(double max_move, const BondLaplacian* network) : max_move_(max_move), network_(network) {}
+  Lbfgs(double max_move, const BondLaplacian* preconditioner)
+      : max_move_(max_move), preconditioner_(preconditioner) {}
 
   bool step(Objective& objective, Point& point) override {
     if (try_direction(objective, point)) return true;
@@ -22,9 +23,9 @@ class Lbfgs : public Minimization {
 
  private:
   struct Pair {
-    Vector way;
-    Vector bend;  // change of the gradient along the way
-    double product;
+    Vector step;
+    Vector gradient_change;
+    double product;  // of the two
   };
 
   bool try_direction(Objective& objective, Point& point) {
@@ -38,10 +39,10 @@ class Lbfgs : public Minimization {
     const double largest = largest_triple(direction);
     if (!(largest > 0.0)) return false;
     double fraction = std::min(1.0, max_move_ / largest);
-    constexpr int most_attempts = 20;
+    constexpr int max_attempts = 20;
     Point next;
     next.gradient.setZero(point.gradient.size());
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       next.coordinates = point.coordinates;
       add_multiple(next.coordinates, fraction, direction);
       if (!objective.evaluate(next)) {
@@ -78,50 +79,52 @@ class Lbfgs : public Minimization {
     Vector direction = -gradient;
     std::vector<double> shares(memory_.size());
     for (std::size_t k = memory_.size(); k-- > 0;) {
-      shares[k] = dot(memory_[k].way, direction) / memory_[k].product;
-      add_multiple(direction, -shares[k], memory_[k].bend);
+      shares[k] = dot(memory_[k].step, direction) / memory_[k].product;
+      add_multiple(direction, -shares[k], memory_[k].gradient_change);
     }
-    if (network_) {
-      network_->solve(direction);
+    if (preconditioner_) {
+      preconditioner_->solve(direction);
     } else {
-      direction *= softness();
+      direction *= inverse_curvature();
     }
     for (std::size_t k = 0; k < memory_.size(); ++k) {
-      const double back = dot(memory_[k].bend, direction) / memory_[k].product;
-      add_multiple(direction, shares[k] - back, memory_[k].way);
+      const double back = dot(memory_[k].gradient_change, direction) / memory_[k].product;
+      add_multiple(direction, shares[k] - back, memory_[k].step);
     }
     return direction;
   }
 
-  // Of the way along which the last step went [Å²/eV].
-  [[nodiscard]] double softness() const {
+  // Along the last step [Å²/eV].
+  [[nodiscard]] double inverse_curvature() const {
     // Before anything is known: a tenth of what would stretch a carbon bond.
     if (memory_.empty()) return 0.01;
-    return memory_.back().product / dot(memory_.back().bend, memory_.back().bend);
+    return memory_.back().product /
+           dot(memory_.back().gradient_change, memory_.back().gradient_change);
   }
 
   void remember(const Point& from, const Point& to) {
-    Pair pair = {.way = to.coordinates - from.coordinates,
-                 .bend = to.gradient - from.gradient,
+    Pair pair = {.step = to.coordinates - from.coordinates,
+                 .gradient_change = to.gradient - from.gradient,
                  .product = 0.0};
-    pair.product = dot(pair.way, pair.bend);
-    // Without curvature along the way there is nothing to learn.
-    constexpr double least_softness = 1e-12;  // [Å²/eV]
-    if (!(pair.product > least_softness * dot(pair.bend, pair.bend))) return;
-    constexpr std::size_t most_pairs = 8;
-    if (memory_.size() == most_pairs) memory_.pop_front();
+    pair.product = dot(pair.step, pair.gradient_change);
+    // Without curvature along the step there is nothing to learn.
+    constexpr double min_inverse_curvature = 1e-12;  // [Å²/eV]
+    if (!(pair.product > min_inverse_curvature * dot(pair.gradient_change, pair.gradient_change)))
+      return;
+    constexpr std::size_t max_pairs = 8;
+    if (memory_.size() == max_pairs) memory_.pop_front();
     memory_.push_back(std::move(pair));
   }
 
   double max_move_;
-  const BondLaplacian* network_;
+  const BondLaplacian* preconditioner_;
   std::deque<Pair> memory_;
 };
 
 }  // namespace
 
-std::unique_ptr<Minimization> make_lbfgs(double max_move, const BondLaplacian* network) {
-  return std::make_unique<Lbfgs>(max_move, network);
+std::unique_ptr<Minimization> make_lbfgs(double max_move, const BondLaplacian* preconditioner) {
+  return std::make_unique<Lbfgs>(max_move, preconditioner);
 }
 
 }  // namespace trivalent::potentials::relax_detail

@@ -7,7 +7,7 @@
 
 namespace trivalent::potentials::relax_detail {
 
-/// Goes downhill step by step.
+/// Moves a point downhill, step by step.
 class Minimization {
  public:
   Minimization() = default;
@@ -15,14 +15,14 @@ class Minimization {
   Minimization& operator=(const Minimization&) = delete;
   virtual ~Minimization() = default;
 
-  /// Moves the point once, which has energy and gradient before and after. Returns false, with the
-  /// point where it was, if there is no way on.
+  /// Moves the point once; it has energy and gradient before and after. Returns false, and leaves
+  /// the point where it was, if no step lowers the energy.
   [[nodiscard]] virtual bool step(Objective& objective, Point& point) = 0;
 };
 
 [[nodiscard]] std::unique_ptr<Minimization> make_fire(double max_move);
-/// @param network  preconditions, if there is one; it must outlive the minimization.
+/// @param preconditioner  May be none; must outlive the minimization.
 [[nodiscard]] std::unique_ptr<Minimization> make_lbfgs(double max_move,
-                                                       const BondLaplacian* network);
+                                                       const BondLaplacian* preconditioner);
 
 }  // namespace trivalent::potentials::relax_detail
