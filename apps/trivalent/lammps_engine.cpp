@@ -290,6 +290,7 @@ potentials::RelaxResult run_lammps(const potentials::Atoms& atoms, const LammpsT
   if (task.relax_box) output.read_box(result.atoms.box);
   result.largest_force = largest_force(result.result.forces, task.fixed);
   result.converged = result.largest_force <= task.max_force;
+  result.end = result.converged ? potentials::RelaxEnd::at_rest : potentials::RelaxEnd::no_descent;
   fs::remove_all(folder);
   return result;
 }

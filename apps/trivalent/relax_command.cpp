@@ -51,7 +51,8 @@ Grammar grammar_of_relax() {
   add_structure_options(grammar.options);
   grammar.epilog =
       "NETWORK is extended XYZ, LAMMPS data, or a mesh, whose dual is meant. A mesh and molecular\n"
-      "LAMMPS data say which atoms are bonded; elsewhere atoms within 2 Å are.\n";
+      "LAMMPS data say which atoms are bonded: these bonds are kept. Otherwise bonds are guessed\n"
+      "from distances (C-C below 1.85 Å, C-H 1.55 Å, H-H 1.4 Å) and may break and form.\n";
   return grammar;
 }
 
@@ -62,13 +63,14 @@ potentials::Minimizer minimizer(const Session& session) {
   throw UsageError("--minimizer is lbfgs or fire, not '" + name + "'");
 }
 
-/// Bonds as the input has them, or else as they are.
+/// Bonds as the input has them, or else guessed.
 std::vector<potentials::Bond> network_bonds(const Structure& structure, const Session& session) {
   if (!structure.network.bonds.empty()) {
     return potentials::bonds_between(structure.frame.atoms, structure.network.bonds);
   }
-  session.terminal.note("the input names no bonds: atoms within 2 Å are bonded");
-  return potentials::bonds_within(structure.frame.atoms, potentials::bond_reach);
+  potentials::GuessedBonds guess = potentials::guess_bonds(structure.frame.atoms);
+  session.terminal.note(guess_note(guess));
+  return std::move(guess.bonds);
 }
 
 potentials::RelaxOptions relax_options(const Structure& structure,
@@ -81,8 +83,9 @@ potentials::RelaxOptions relax_options(const Structure& structure,
                                       .box = session.has("relax-box")
                                                  ? potentials::BoxPolicy::pressure_free
                                                  : potentials::BoxPolicy::fixed,
-                                      .bonds = bonds,
                                       .checkpoint_every = session.get<int>("checkpoint-every")};
+  // Guessed bonds may break and form.
+  if (!structure.network.bonds.empty()) options.bonds = bonds;
   if (const auto groups = session.find<std::vector<std::string>>("fix")) {
     options.fixed = atoms_in_groups(*groups, structure.frame.atoms, bonds);
   }
@@ -132,7 +135,6 @@ potentials::RelaxResult relax_here(const Structure& structure,
   const auto potential = make_potential(session);
   options.on_checkpoint = [&](const potentials::RelaxCheckpoint& state) {
     save_relaxation(checkpoint_path(session), mark, state, trajectory ? trajectory->size() : 0);
-    potential->forget();
   };
   RelaxLine line(session.terminal);
   options.on_progress = [&](const potentials::RelaxProgress& state) {
@@ -252,7 +254,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
 const Command relax_command = {
     .name = "relax",
     .synopsis = "NETWORK -o OUT.extxyz [--max-force F] [--minimizer lbfgs|fire] [options]",
-    .meaning = "Brings atoms, or the dual of a mesh, to rest without tearing a bond",
+    .meaning = "Brings atoms, or the dual of a mesh, to rest",
     .run = run};
 
 }  // namespace trivalent::apps

@@ -67,12 +67,14 @@ Trajectory::Trajectory(std::filesystem::path path, int every)
 }
 
 void Trajectory::add(const potentials::RelaxProgress& state) {
+  if (state.stage == potentials::RelaxStage::trial) return;
   if (state.steps % every_ != 0 || state.steps <= last_step_) return;
   last_step_ = state.steps;
   std::ostringstream frame;
-  dual::write_xyz(frame, {.atoms = state.atoms,
-                          .header = {{.key = "step", .value = static_cast<double>(state.steps)},
-                                     {.key = "energy", .value = state.energy}}});
+  std::vector<dual::HeaderEntry> header = {
+      {.key = "step", .value = static_cast<double>(state.steps)}};
+  if (state.energy) header.push_back({.key = "energy", .value = *state.energy});
+  dual::write_xyz(frame, {.atoms = state.atoms, .header = std::move(header)});
   std::ofstream out(part_, std::ios::binary | std::ios::app);
   out << frame.str();
   out.flush();

@@ -26,6 +26,8 @@ std::string ids_text(const std::vector<potentials::Bond>& bonds) {
 
 std::string_view name_of(potentials::RelaxStage stage) {
   switch (stage) {
+    case potentials::RelaxStage::trial:
+      return "trial of the potential";
     case potentials::RelaxStage::springs:
       return "springs";
     case potentials::RelaxStage::guarded:
@@ -36,6 +38,24 @@ std::string_view name_of(potentials::RelaxStage stage) {
       break;
   }
   return "potential";
+}
+
+std::string_view name_of(potentials::RelaxEnd end) {
+  switch (end) {
+    case potentials::RelaxEnd::at_rest:
+      return "at rest";
+    case potentials::RelaxEnd::energy_settled:
+      return "the energy has settled";
+    case potentials::RelaxEnd::stopped:
+      return "stopped";
+    case potentials::RelaxEnd::no_descent:
+      return "no step lowers the energy";
+    case potentials::RelaxEnd::bonds_held:
+      return "bonds are held";
+    case potentials::RelaxEnd::out_of_steps:
+      break;
+  }
+  return "out of steps";
 }
 
 std::map<int, int> atoms_by_coordination(const RelaxReport& report) {
@@ -69,6 +89,7 @@ Json relax_json(const RelaxReport& report, const potentials::RelaxResult& relaxe
     coordinations[std::to_string(coordination)] = count;
   }
   return {{"converged", relaxed.converged},
+          {"end", name_of(relaxed.end)},
           {"steps", relaxed.steps},
           {"evaluations", relaxed.evaluations},
           {"largest_force", relaxed.largest_force},
@@ -87,7 +108,8 @@ std::vector<TableRow> relax_rows(const RelaxReport& report,
     coordinations += (coordinations.empty() ? "" : ", ") + std::to_string(count) + " with " +
                      std::to_string(coordination);
   }
-  return {{"steps", std::to_string(relaxed.steps) + " (" + std::to_string(relaxed.evaluations) +
+  return {{"ended", std::string(name_of(relaxed.end))},
+          {"steps", std::to_string(relaxed.steps) + " (" + std::to_string(relaxed.evaluations) +
                         " evaluations)"},
           {"largest force", significant(relaxed.largest_force) + " eV/Å"},
           {"atoms moved by [Å]", "rms " + decimals(report.displacement_rms, 3) + ", at most " +
@@ -97,13 +119,24 @@ std::vector<TableRow> relax_rows(const RelaxReport& report,
           {"atoms by neighbors", coordinations}};
 }
 
+std::string guess_note(const potentials::GuessedBonds& guess) {
+  std::string note = "the input names no bonds: " + std::to_string(guess.bonds.size()) +
+                     " are guessed from distances";
+  if (!guess.ambiguous.empty()) {
+    note +=
+        "; ambiguous are " + std::to_string(guess.ambiguous.size()) +
+        " more pairs that close, of atoms that have all their bonds: " + ids_text(guess.ambiguous);
+  }
+  return note;
+}
+
 std::vector<std::string> relax_notes(const RelaxReport& report,
                                      const potentials::RelaxResult& relaxed) {
   std::vector<std::string> notes;
   if (!relaxed.converged) {
-    notes.push_back("the relaxation did not converge: the largest force is " +
-                    significant(relaxed.largest_force) + " eV/Å after " +
-                    std::to_string(relaxed.steps) + " steps");
+    notes.push_back("the relaxation did not converge (" + std::string(name_of(relaxed.end)) +
+                    "): the largest force is " + significant(relaxed.largest_force) +
+                    " eV/Å after " + std::to_string(relaxed.steps) + " steps");
   }
   if (!relaxed.held.empty()) {
     notes.push_back(std::to_string(relaxed.held.size()) +
@@ -117,8 +150,8 @@ std::vector<std::string> relax_notes(const RelaxReport& report,
   }
   if (!bonds.formed.empty()) {
     notes.push_back(std::to_string(bonds.formed.size()) +
-                    " pairs without a bond came within its reach (" +
-                    significant(potentials::bond_reach) + " Å): atoms " + ids_text(bonds.formed));
+                    " pairs without a bond are within its reach (C-C 2 Å): atoms " +
+                    ids_text(bonds.formed));
   }
   return notes;
 }
@@ -129,10 +162,13 @@ void RelaxLine::show(const potentials::RelaxProgress& state) {
   if (seconds < next_) return;
   next_ = seconds + 1.0;
   const double per_second = (state.steps - *first_step_) / seconds;
+  const std::string forces = state.energy
+                                 ? "energy " + decimals(*state.energy, 4) + " eV, largest force " +
+                                       significant(*state.largest_force) + " eV/Å, "
+                                 : "";
   terminal_.progress("relaxing (" + std::string(name_of(state.stage)) + "): step " +
-                     std::to_string(state.steps) + ", energy " + decimals(state.energy, 4) +
-                     " eV, largest force " + significant(state.largest_force) + " eV/Å, " +
-                     significant(per_second, 3) + " steps/s");
+                     std::to_string(state.steps) + ", " + forces + significant(per_second, 3) +
+                     " steps/s");
 }
 
 }  // namespace trivalent::apps

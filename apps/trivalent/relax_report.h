@@ -28,6 +28,9 @@ struct RelaxReport {
 [[nodiscard]] std::vector<TableRow> relax_rows(const RelaxReport& report,
                                                const potentials::RelaxResult& relaxed);
 
+/// Says which bonds were guessed and which pairs were left out.
+[[nodiscard]] std::string guess_note(const potentials::GuessedBonds& guess);
+
 /// One sentence for each thing that is not as it should be.
 [[nodiscard]] std::vector<std::string> relax_notes(const RelaxReport& report,
                                                    const potentials::RelaxResult& relaxed);

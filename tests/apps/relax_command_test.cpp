@@ -36,6 +36,21 @@ TEST_F(RelaxCommand, FindsGrapheneWithAFreeCell) {
   EXPECT_NEAR(result["energy_per_atom"].get<double>(), -7.394997, 1e-6);
 }
 
+// Bent benzene: springs between any atoms within 2 Å used to hold it at -51.3 eV, "at rest".
+TEST_F(RelaxCommand, ClaimsTheForceThatEnergyFinds) {
+  write("benzene.xyz",
+        "12\n\nC 1.43 0.03 -0.06\nC 0.75 1.16 0.09\nC -0.62 1.28 0.05\nC -1.33 -0.07 0.02\n"
+        "C -0.74 -1.27 -0.08\nC 0.66 -1.13 0.1\nH 2.43 0.08 0.1\nH 1.31 2.05 -0.05\n"
+        "H -1.16 2.22 0.07\nH -2.55 0.05 -0.1\nH -1.29 -2.09 0.04\nH 1.17 -2.24 -0.06\n");
+  const auto run = succeed("relax benzene.xyz -o out.extxyz --digits 17 --json");
+  const auto result = run.json();
+  EXPECT_NEAR(result["energy"].get<double>(), -59.3096, 1e-4);
+  EXPECT_TRUE(result["relaxation"]["converged"].get<bool>());
+  EXPECT_NE(run.err.find("12 are guessed"), std::string::npos) << run.err;
+  const double found = succeed("energy out.extxyz --forces --json").json()["largest_force"];
+  EXPECT_NEAR(result["relaxation"]["largest_force"].get<double>(), found, 1e-8);
+}
+
 TEST_F(RelaxCommand, SaysWhenItDidNotConverge) {
   succeed("shape sphere s.off --edge 0.3");
   const auto run = succeed("relax s.off -o out.extxyz --max-steps 3 --json");

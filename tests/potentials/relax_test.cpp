@@ -165,8 +165,9 @@ TEST(Relax, HoldsBondsThatWantToTear) {
   const auto bonds = bonds_within(chain, 1.9);
   ASSERT_EQ(bonds.size(), 5U);
   const auto relaxed = relax_under_rebo(chain, {.fixed = {0, 5}, .bonds = bonds});
-  EXPECT_TRUE(relaxed.converged);
   EXPECT_FALSE(relaxed.held.empty());
+  EXPECT_FALSE(relaxed.converged);
+  EXPECT_EQ(relaxed.end, RelaxEnd::bonds_held);
   EXPECT_TRUE(bond_changes(relaxed.atoms, bonds).broken.empty());
   // What is told is the potential's, without the springs.
   EXPECT_NEAR(relaxed.result.energy, rebo(relaxed.atoms).energy, 1e-9);
@@ -195,6 +196,105 @@ TEST(Relax, GoesOnFromACheckpointAsIfNothingHadHappened) {
     EXPECT_EQ(resumed.steps, whole.steps);
     EXPECT_EQ(resumed.evaluations, whole.evaluations);
   }
+}
+
+TEST(Relax, GoesOnWithoutANetworkAsIfNothingHadHappened) {
+  RelaxOptions options = {.max_force = 1e-4, .checkpoint_every = 7};
+  std::vector<std::pair<RelaxOptions, Atoms>> checkpoints;
+  Rebo rebo;
+  options.on_checkpoint = [&](const RelaxCheckpoint& state) {
+    checkpoints.emplace_back(RelaxOptions{.max_force = 1e-4,
+                                          .start = RelaxStart::direct,
+                                          .first_step = state.steps,
+                                          .first_evaluation = state.evaluations,
+                                          .checkpoint_every = 7},
+                             state.atoms);
+  };
+  const auto whole = relax(rough_shell(4), rebo, options);
+  ASSERT_GT(checkpoints.size(), 2U);
+  for (const auto& [again, atoms] : checkpoints) {
+    EXPECT_EQ(relax(atoms, rebo, again).atoms.positions, whole.atoms.positions);
+  }
+}
+
+double largest_force(const Atoms& atoms) {
+  double largest = 0.0;
+  for (const Eigen::Vector3d& force : rebo(atoms).forces) largest = std::max(largest, force.norm());
+  return largest;
+}
+
+// As large as a snapshot at 1500 K and beyond: nearest pairs come as close as 1 Å.
+TEST(Relax, BringsRattledStructuresBackWithoutANetwork) {
+  const std::vector<Atoms> perfect = {leapfrog_shell(1, 1.42), geodesic_shell(2, 1.42),
+                                      graphene(4, 3, 1.42039),
+                                      nanotube(Chirality::armchair, 5, 4, 1.42)};
+  for (const Atoms& whole : perfect) {
+    const double energy = relax_under_rebo(whole, {}).result.energy;
+    for (const double deviation : {0.05, 0.1, 0.15}) {
+      Atoms rattled = whole;
+      displace(rattled, deviation, 5);
+      const auto relaxed = relax_under_rebo(rattled, {});
+      EXPECT_TRUE(relaxed.converged);
+      EXPECT_EQ(relaxed.end, RelaxEnd::at_rest);
+      EXPECT_LT(relaxed.result.energy, energy + 1e-4 * static_cast<double>(whole.size()));
+      EXPECT_NEAR(relaxed.largest_force, largest_force(relaxed.atoms), 1e-7);
+    }
+  }
+}
+
+// Bonds of hydrogen are shorter than those of carbon: no two hydrogens of benzene may be bonded.
+TEST(Relax, FindsBenzene) {
+  Atoms benzene;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = std::numbers::pi / 3.0 * k;
+    const Eigen::Vector3d outward(std::cos(angle), std::sin(angle), 0.1 * (k % 3));
+    benzene.positions.emplace_back(1.45 * outward);
+    benzene.positions.emplace_back(2.45 * outward);
+    benzene.species.push_back(Species::carbon);
+    benzene.species.push_back(Species::hydrogen);
+  }
+  const auto relaxed = relax_under_rebo(benzene, {});
+  EXPECT_TRUE(relaxed.converged);
+  EXPECT_NEAR(relaxed.result.energy, -59.3096, 1e-4);  // [Brenner2002, Table 12]
+}
+
+// Springs may hold bonds; the force that is told is still the potential's.
+TEST(Relax, TellsThePotentialsForceAtEveryStep) {
+  const auto bonds = bonds_within(geodesic_shell(4, 1.42), 1.8);
+  int springs = 0;
+  const auto relaxed = relax_under_rebo(
+      rough_shell(4), {.bonds = bonds, .on_progress = [&](const RelaxProgress& state) {
+                         EXPECT_EQ(state.energy.has_value(), state.stage != RelaxStage::springs);
+                         EXPECT_EQ(state.largest_force.has_value(), state.energy.has_value());
+                         if (!state.energy) {
+                           ++springs;
+                         } else if (state.steps % 10 == 0) {
+                           EXPECT_NEAR(*state.energy, rebo(state.atoms).energy, 1e-7);
+                           EXPECT_NEAR(*state.largest_force / largest_force(state.atoms), 1.0,
+                                       1e-6);
+                         }
+                         return true;
+                       }});
+  EXPECT_TRUE(relaxed.converged);
+  EXPECT_GT(springs, 0);
+}
+
+TEST(GuessBonds, AreChemical) {
+  Atoms atoms;  // H-C 1.09 Å, H-H 0.9 Å, one more H at 1.3 Å of the first
+  atoms.positions = {{0, 0, 0}, {1.09, 0, 0}, {1.09, 0.9, 0}, {0, 1.54, 0}};
+  atoms.species = {Species::carbon, Species::hydrogen, Species::hydrogen, Species::carbon};
+  const GuessedBonds guess = guess_bonds(atoms);
+  ASSERT_EQ(guess.bonds.size(), 2U);  // H-H first, then C-C: hydrogen has one bond only
+  EXPECT_EQ(guess.bonds[0].first, 1U);
+  EXPECT_EQ(guess.bonds[0].second, 2U);
+  EXPECT_EQ(guess.bonds[1].second, 3U);
+  EXPECT_EQ(guess.ambiguous.size(), 3U);
+}
+
+TEST(GuessBonds, HaveTheLimitsOfRebosCutoffs) {
+  EXPECT_DOUBLE_EQ(max_bond_length(Species::carbon, Species::carbon), 1.85);
+  EXPECT_DOUBLE_EQ(max_bond_length(Species::carbon, Species::hydrogen), 1.55);
+  EXPECT_DOUBLE_EQ(max_bond_length(Species::hydrogen, Species::hydrogen), 1.4);
 }
 
 TEST(Relax, GivesTheSameBytesOnAnyNumberOfThreads) {

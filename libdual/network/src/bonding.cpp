@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/potentials/bonds.h"
 #include "trivalent/potentials/neighbor_list.h"
 
 namespace trivalent::dual {
 namespace {
 
 using potentials::Species;
-
-double longest_bond(Species a, Species b) {
-  if (a == Species::carbon && b == Species::carbon) return 0.5 * (1.7 + 2.0);
-  if (a == Species::hydrogen && b == Species::hydrogen) return 0.5 * (1.1 + 1.7);
-  return 0.5 * (1.3 + 1.8);
-}
 
 bool is_home(const BondEnd& end) { return end.image == std::array<int, 3>{0, 0, 0}; }
 
@@ -32,12 +27,13 @@ Bonding bonding_of(const Network& network) {
 }
 
 Bonding find_bonding(const potentials::Atoms& atoms) {
-  const double widest = longest_bond(Species::carbon, Species::carbon);
+  const double widest = potentials::max_bond_length(Species::carbon, Species::carbon);
   const potentials::NeighborList neighbors(atoms, widest);
   Bonding bonding(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     for (const potentials::Neighbor& neighbor : neighbors[i]) {
-      if (neighbor.distance >= longest_bond(atoms.species[i], atoms.species[neighbor.atom]))
+      if (neighbor.distance >=
+          potentials::max_bond_length(atoms.species[i], atoms.species[neighbor.atom]))
         continue;
       bonding[i].push_back({.atom = static_cast<int>(neighbor.atom),
                             .image = {neighbor.image[0], neighbor.image[1], neighbor.image[2]},

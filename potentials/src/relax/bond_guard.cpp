@@ -1,6 +1,7 @@
 #include "relax/bond_guard.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "parallel.h"
 
@@ -16,10 +17,14 @@ struct Any {
   }
 };
 
+// C-C 1.95 Å.
+double usual_limit(const Atoms& atoms, const Bond& bond) {
+  return 0.975 * bond_reach(atoms.species[bond.first], atoms.species[bond.second]);
+}
+
 }  // namespace
 
-BondGuard::BondGuard(const Atoms& atoms, std::vector<Bond> bonds, double limit)
-    : bonds_(std::move(bonds)), limit_(limit) {
+BondGuard::BondGuard(const Atoms& atoms, std::vector<Bond> bonds) : bonds_(std::move(bonds)) {
   limits_.assign(bonds_.size(), std::numeric_limits<double>::infinity());
   accept(atoms);
 }
@@ -27,8 +32,7 @@ BondGuard::BondGuard(const Atoms& atoms, std::vector<Bond> bonds, double limit)
 bool BondGuard::allows(const Atoms& atoms) const {
   const auto any_torn = sum_over_chunks<Any>(bonds_.size(), [&](std::size_t begin, auto end) {
     for (std::size_t k = begin; k < end; ++k) {
-      const double limit = limits_.empty() ? limit_ : limits_[k];
-      if (!(bond_length(atoms, bonds_[k]) <= limit)) return Any{true};
+      if (!(bond_length(atoms, bonds_[k]) <= limits_[k])) return Any{true};
     }
     return Any{};
   });
@@ -36,14 +40,13 @@ bool BondGuard::allows(const Atoms& atoms) const {
 }
 
 void BondGuard::accept(const Atoms& atoms) {
-  if (limits_.empty()) return;
-  bool is_any_beyond = false;
+  if (!is_any_beyond_) return;
+  is_any_beyond_ = false;
   for (std::size_t k = 0; k < bonds_.size(); ++k) {
-    const double length = std::min(limits_[k], bond_length(atoms, bonds_[k]));
-    limits_[k] = std::max(limit_, length);
-    is_any_beyond = is_any_beyond || length > limit_;
+    const double usual = usual_limit(atoms, bonds_[k]);
+    limits_[k] = std::max(usual, std::min(limits_[k], bond_length(atoms, bonds_[k])));
+    is_any_beyond_ = is_any_beyond_ || limits_[k] > usual;
   }
-  if (!is_any_beyond) limits_.clear();
 }
 
 }  // namespace trivalent::potentials::relax_detail

@@ -6,21 +6,21 @@
 
 namespace trivalent::potentials::relax_detail {
 
-/// Says whether the bonds of a network hold.
+/// Keeps the bonds of a network from tearing: just below the distance at which REBO's bond ends.
 class BondGuard {
  public:
-  BondGuard(const Atoms& atoms, std::vector<Bond> bonds, double limit);
+  BondGuard(const Atoms& atoms, std::vector<Bond> bonds);
 
-  /// Whether no bond is longer than the limit, or than it was when last accepted.
+  /// Whether no bond is longer than its limit, or than it was when last accepted.
   [[nodiscard]] bool allows(const Atoms& atoms) const;
 
-  /// Lets no bond that is longer than the limit become longer than it is now.
+  /// From now on, no bond beyond its limit may become longer than it is now.
   void accept(const Atoms& atoms);
 
  private:
   std::vector<Bond> bonds_;
-  double limit_;                // [Å]
-  std::vector<double> limits_;  // of each bond, if any is beyond the limit; else empty
+  std::vector<double> limits_;  // of each bond [Å]
+  bool is_any_beyond_ = true;   // longer than usual
 };
 
 }  // namespace trivalent::potentials::relax_detail

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "rebo/parameters.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/neighbor_list.h"
 #include "validation.h"
@@ -71,23 +72,65 @@ std::vector<Bond> bonds_within(const Atoms& atoms, double cutoff) {
   return bonds_of(NeighborList(atoms, cutoff));
 }
 
-BondChanges bond_changes(const Atoms& atoms, std::span<const Bond> bonds, double cutoff) {
+double bond_reach(Species a, Species b) { return rebo_detail::brenner_2002.bond(a, b).cutoff.end; }
+
+double max_bond_length(Species a, Species b) {
+  const auto [begin, end] = rebo_detail::brenner_2002.bond(a, b).cutoff;
+  return 0.5 * (begin + end);
+}
+
+int max_bonds(Species species) { return species == Species::carbon ? 4 : 1; }
+
+GuessedBonds guess_bonds(const Atoms& atoms) {
+  const double longest = max_bond_length(Species::carbon, Species::carbon);
+  std::vector<std::pair<double, Bond>> pairs;
+  for (const Bond& bond : bonds_of(NeighborList(atoms, longest))) {
+    const double length = bond_length(atoms, bond);
+    if (length < max_bond_length(atoms.species[bond.first], atoms.species[bond.second])) {
+      pairs.emplace_back(length, bond);
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  GuessedBonds guess;
+  std::vector<int> counts(atoms.size(), 0);
+  const auto is_full = [&](std::uint32_t atom) {
+    return counts[atom] >= max_bonds(atoms.species[atom]);
+  };
+  for (const auto& [length, bond] : pairs) {
+    if (is_full(bond.first) || is_full(bond.second)) {
+      guess.ambiguous.push_back(bond);
+      continue;
+    }
+    ++counts[bond.first];
+    ++counts[bond.second];
+    guess.bonds.push_back(bond);
+  }
+  return guess;
+}
+
+BondChanges bond_changes(const Atoms& atoms, std::span<const Bond> bonds) {
   const auto is_before = [](const Bond& a, const Bond& b) {
     return std::tie(a.first, a.second, a.image) < std::tie(b.first, b.second, b.image);
   };
   std::vector<Bond> meant;
   for (const Bond& bond : bonds) meant.push_back(in_standard_form(bond));
   std::sort(meant.begin(), meant.end(), is_before);
-  const NeighborList neighbors(atoms, cutoff);
-  std::vector<Bond> found = bonds_of(neighbors);
+  std::vector<Bond> found = bonds_of(NeighborList(atoms, rebo_detail::longest_bond));
+  std::erase_if(found, [&](const Bond& bond) {
+    return bond_length(atoms, bond) >=
+           bond_reach(atoms.species[bond.first], atoms.species[bond.second]);
+  });
   std::sort(found.begin(), found.end(), is_before);
   BondChanges changes;
   std::set_difference(meant.begin(), meant.end(), found.begin(), found.end(),
                       std::back_inserter(changes.broken), is_before);
   std::set_difference(found.begin(), found.end(), meant.begin(), meant.end(),
                       std::back_inserter(changes.formed), is_before);
-  for (std::size_t i = 0; i < neighbors.size(); ++i) {
-    changes.coordinations.push_back(static_cast<int>(neighbors[i].size()));
+  changes.coordinations.assign(atoms.size(), 0);
+  for (const Bond& bond : found) {
+    ++changes.coordinations[bond.first];
+    ++changes.coordinations[bond.second];
   }
   return changes;
 }

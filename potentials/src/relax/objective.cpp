@@ -1,6 +1,7 @@
 #include "relax/objective.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace trivalent::potentials::relax_detail {
@@ -20,18 +21,22 @@ Eigen::Matrix3d projector_on_periodic(const Box& box) {
 
 }  // namespace
 
-Objective::Objective(Atoms atoms, Potential& potential, const RelaxOptions& options)
+Objective::Objective(Atoms atoms, const DescentOptions& descent,
+                     std::span<const std::uint32_t> fixed)
     : atoms_(std::move(atoms)),
-      potential_(potential),
-      guard_(atoms_, options.bonds, options.bond_limit),
-      fixed_(options.fixed),
-      has_cell_(options.box == BoxPolicy::pressure_free && atoms_.box.is_periodic()),
+      potential_(descent.potential),
+      springs_(descent.springs),
+      guard_(atoms_, {descent.guarded.begin(), descent.guarded.end()}),
+      is_fixed_(atoms_.size(), false),
+      has_cell_(descent.box == BoxPolicy::pressure_free && atoms_.box.is_periodic()),
       first_cell_(atoms_.box.cell),
       free_directions_(projector_on_periodic(atoms_.box)),
-      // A strain then is about as stiff as the way of one atom.
-      cell_length_(std::sqrt(static_cast<double>(atoms_.size()))) {}
+      // A strain then is about as stiff as the displacement of one atom.
+      cell_length_(std::sqrt(static_cast<double>(atoms_.size()))) {
+  for (const std::uint32_t atom : fixed) is_fixed_[atom] = true;
+}
 
-Point Objective::start() {
+Point Objective::start() const {
   const auto n = static_cast<Eigen::Index>(3 * atoms_.size());
   Point point;
   point.coordinates.setZero(n + (has_cell_ ? 9 : 0));
@@ -45,12 +50,35 @@ Point Objective::start() {
 bool Objective::evaluate(Point& point) {
   place_atoms(point.coordinates);
   if (!guard_.allows(atoms_)) return false;
-  result_ = potential_.evaluate(atoms_, std::move(result_));
   ++evaluations_;
-  if (!std::isfinite(result_.energy)) return false;
-  point.energy = result_.energy;
+  double energy = 0.0;
+  if (potential_ != nullptr) {
+    result_ = potential_->evaluate(atoms_, std::move(result_));
+    energy += result_.energy;
+  }
+  if (springs_ != nullptr) {
+    spring_forces_ = springs_->evaluate(atoms_, std::move(spring_forces_));
+    energy += spring_forces_.energy;
+  }
+  if (!std::isfinite(energy)) return false;
+  point.energy = energy;
   set_gradient(point.gradient);
   return true;
+}
+
+double Objective::largest_force() const {
+  double square = 0.0;
+  for (std::size_t i = 0; i < atoms_.size(); ++i) {
+    if (!is_fixed_[i]) square = std::max(square, result_.forces[i].squaredNorm());
+  }
+  return std::sqrt(square);
+}
+
+Eigen::Vector3d Objective::force(std::size_t atom) const {
+  if (is_fixed_[atom]) return Eigen::Vector3d::Zero();
+  if (springs_ == nullptr) return result_.forces[atom];
+  if (potential_ == nullptr) return spring_forces_.forces[atom];
+  return result_.forces[atom] + spring_forces_.forces[atom];
 }
 
 void Objective::place_atoms(const Vector& coordinates) {
@@ -71,14 +99,11 @@ void Objective::place_atoms(const Vector& coordinates) {
 void Objective::set_gradient(Vector& gradient) const {
   for_each_chunk(atoms_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d& f = result_.forces[i];
+      const Eigen::Vector3d f = force(i);
       gradient.segment<3>(static_cast<Eigen::Index>(3 * i)) =
           has_cell_ ? Eigen::Vector3d(-deformation_.transpose() * f) : Eigen::Vector3d(-f);
     }
   });
-  for (const std::uint32_t atom : fixed_) {
-    gradient.segment<3>(static_cast<Eigen::Index>(std::size_t{3} * atom)).setZero();
-  }
   if (!has_cell_) return;
   const Eigen::Matrix3d slope = -result_.virial * deformation_.inverse().transpose();
   const Eigen::Matrix3d symmetric = 0.5 * (slope + slope.transpose());
