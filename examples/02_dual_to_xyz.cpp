@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/xyz.h"
@@ -17,15 +17,13 @@ int run() {
   dual::ShellOptions options;
   options.size = dual::AtomCount{2000};  // or LongestSide{50.0}, or Scale{12.0}
   options.bond = 1.42;                   // [Å]
-  const dual::Shell shell = dual::build_shell(torus, options);
+  dual::Structure shell = dual::build_shell(torus, options).structure;
+  shell.columns = dual::network_columns(shell);
 
-  const dual::XyzFrame frame = {.atoms = dual::carbon_atoms(shell.network),
-                                .columns = dual::network_columns(shell.network)};
-  dual::write_xyz("torus.extxyz", frame);
-  dual::write_lammps_data("torus.data", {.atoms = frame.atoms, .bonds = shell.network.bonds},
-                          {.style = dual::AtomStyle::molecular});
+  dual::write_xyz("torus.extxyz", shell);
+  dual::write_lammps_data("torus.data", shell, {.style = dual::AtomStyle::molecular});
 
-  const dual::NetworkReport report = dual::check_network(shell.network);
+  const dual::NetworkReport report = dual::check_network(shell);
   std::printf("%d atoms, %d bonds of %.3f Å on average, %.1f %% hexagons\n", report.atoms,
               report.bonds, report.bond_mean, 100.0 * report.hexagon_fraction);
   // Closed, and of genus 1: three bonds everywhere, and as many missing as surplus ring corners.

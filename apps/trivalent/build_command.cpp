@@ -14,10 +14,11 @@
 #include "shell_files.h"
 #include "size_options.h"
 #include "surface_input.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/hydrogen.h"
 #include "trivalent/formats/lammps_package.h"
+#include "trivalent/formats/xyz.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/potentials/relax.h"
@@ -69,8 +70,9 @@ void measure_energy_before(BuildRecord& record) {
     remesh::TriMesh original = record.original;
     remesh::scale(original,
                   dual::scale_for_size(original, dual::MeanBond{record.network.bond_mean}));
-    dual::ShellState state = dual::network_state("dual of the input", dual::build_dual(original));
-    dual::add_energies(state, potentials::rebo(state.atoms).energies, dual::graphene_energy);
+    dual::ShellState state = dual::shell_state("dual of the input", dual::build_dual(original));
+    dual::add_energies(state, potentials::rebo(state.structure.atoms).energies,
+                       dual::graphene_energy);
     record.before = std::move(state);
   } catch (const dual::InvalidNetwork& error) {
     record.notes.push_back(std::string("the input has no dual to compare with: ") + error.what());
@@ -88,12 +90,12 @@ bool caps_edges(const Session& session) {
 
 /// Hydrogen belongs to the component of its carbon atom.
 void cap_edges(BuildRecord& record) {
-  dual::Network& network = record.shell.network;
-  record.caps = dual::cap_with_hydrogen(network);
+  dual::Structure& structure = record.shell.structure;
+  record.caps = dual::cap_with_hydrogen(structure);
   auto& component = record.components.of_face;
-  component.resize(network.positions.size());
-  for (const auto& [carbon, other] : network.bonds) {
-    component[static_cast<std::size_t>(other)] = component[static_cast<std::size_t>(carbon)];
+  component.resize(structure.atoms.size());
+  for (const potentials::Bond& bond : structure.bonds) {
+    component[bond.second] = component[bond.first];
   }
   record.notes.push_back("capped the edge with " + std::to_string(record.caps.hydrogens) +
                          " hydrogen atoms");
@@ -105,18 +107,18 @@ void cap_edges(BuildRecord& record) {
 
 /// What is to be seen of the shell as it is now.
 dual::ShellState shell_state(std::string name, const BuildRecord& record) {
-  const dual::Network& network = record.shell.network;
-  dual::ShellState state = dual::network_state(std::move(name), network);
+  const dual::Structure& structure = record.shell.structure;
+  dual::ShellState state = dual::shell_state(std::move(name), structure);
   dual::add_energies(state, record.energy.energies, dual::graphene_energy);
   state.maps.push_back(
       dual::distance_map("surface_distance", "distance to the input surface",
-                         remesh::distances_to_surface(network.positions, record.original)));
+                         remesh::distances_to_surface(structure.atoms.positions, record.original)));
   return state;
 }
 
 void measure_energy_after(BuildRecord& record) {
   try {
-    record.energy = potentials::rebo(dual::carbon_atoms(record.shell.network));
+    record.energy = potentials::rebo(record.shell.structure.atoms);
   } catch (const potentials::InvalidAtoms& error) {
     throw potentials::InvalidAtoms(potentials::concat(
         "build: the shell meets itself (", error.what(),
@@ -125,44 +127,30 @@ void measure_energy_after(BuildRecord& record) {
   record.after = shell_state("shell", record);
 }
 
-/// The network without what caps its edge.
-dual::Network carbon_network(dual::Network network) {
-  const std::size_t carbons =
-      network.positions.size() - static_cast<std::size_t>(network.hydrogens);
-  network.positions.resize(carbons);
-  std::erase_if(network.bonds, [&](const std::array<int, 2>& bond) {
-    return static_cast<std::size_t>(bond[1]) >= carbons;
-  });
-  network.hydrogens = 0;
-  return network;
-}
-
 /// Brings the atoms of the shell to rest under REBO. A stop keeps them where they have come.
 void relax_shell(const StopRequest& stop, const Session& session, BuildRecord& record) {
-  dual::Network& network = record.shell.network;
-  const std::vector<Eigen::Vector3d> before = network.positions;
-  const potentials::Atoms atoms = dual::carbon_atoms(network);
-  const auto bonds = potentials::bonds_between(atoms, network.bonds);
+  dual::Structure& structure = record.shell.structure;
+  const std::vector<Eigen::Vector3d> before = structure.atoms.positions;
   potentials::Rebo rebo;
   RelaxLine line(session.terminal);
-  record.relaxed = potentials::relax(atoms, rebo,
+  record.relaxed = potentials::relax(structure.atoms, rebo,
                                      {.max_steps = most_relaxation_steps,
-                                      .bonds = bonds,
+                                      .bonds = structure.bonds,
                                       .on_progress = [&](const potentials::RelaxProgress& state) {
                                         line.show(state);
                                         return !stop.is_made();
                                       }});
   record.unrelaxed = std::move(record.after);
   record.unrelaxed->name = "dual, not relaxed";
-  record.relaxation = report_relaxation(before, bonds, *record.relaxed);
+  record.relaxation = report_relaxation(before, structure.bonds, *record.relaxed);
   for (std::string& note : relax_notes(record.relaxation, *record.relaxed)) {
     record.notes.push_back(std::move(note));
   }
-  network.positions = record.relaxed->atoms.positions;
-  record.network = dual::check_network(carbon_network(network));
+  structure.atoms.positions = record.relaxed->atoms.positions;
+  record.network = dual::check_network(dual::without_hydrogen(structure));
   record.energy = record.relaxed->result;
   record.after = shell_state("relaxed shell", record);
-  record.after.maps.push_back(dual::displacement_map(before, network.positions));
+  record.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
 }
 
 std::string crossing_remedy(const BuildRecord& record) {
@@ -244,7 +232,7 @@ BuildRecord build(const Session& session) {
   remesh::scale(record.original, record.shell.scale);
   record.quality = remesh::measure_quality(record.shell.surface.mesh);
   record.distance = remesh::measure_distance(record.shell.surface.mesh, record.original);
-  record.network = dual::check_network(record.shell.network);
+  record.network = dual::check_network(record.shell.structure);
   if (caps_edges(session)) cap_edges(record);
   record.stopwatch.finish("measure");
 
@@ -264,21 +252,22 @@ BuildRecord build(const Session& session) {
 
 void write_files(const std::filesystem::path& folder, const BuildRecord& record,
                  const Session& session) {
-  const dual::Network& network = record.shell.network;
   remesh::write_mesh(record.shell.surface.mesh, folder / "surface.off");
 
-  dual::XyzFrame frame = shell_frame(network);
-  frame.columns.push_back({.name = "component", .values = record.components.of_face});
-  add_energies(frame, record.energy);
-  if (record.unrelaxed) add_displacements(frame, record.unrelaxed->atoms.positions);
-  dual::write_xyz(folder / "shell.extxyz", frame, digits(session));
+  dual::Structure structure = record.shell.structure;
+  structure.columns = dual::network_columns(structure);
+  structure.columns.push_back({.name = "component", .values = record.components.of_face});
+  dual::add_energies(structure, record.energy);
+  if (record.unrelaxed) {
+    dual::add_displacements(structure, record.unrelaxed->structure.atoms.positions);
+  }
+  dual::write_xyz(folder / "shell.extxyz", structure, digits(session));
 
-  const dual::LammpsData data = {.atoms = frame.atoms, .bonds = network.bonds};
   const dual::AtomStyle style = atom_style(session);
-  dual::write_lammps_package(folder, data, record.energy.energy,
+  dual::write_lammps_package(folder, structure, record.energy.energy,
                              {.data = {.style = style, .digits = digits(session)}});
 
-  dual::write_energy_ply(folder / "energy.ply", network, record.energy.energies,
+  dual::write_energy_ply(folder / "energy.ply", structure, record.energy.energies,
                          {.scale = record.after.find("energy")->scale});
   dual::write_vtp(folder / "energy.vtp", record.after);
 }

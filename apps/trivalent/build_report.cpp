@@ -102,17 +102,17 @@ dual::ShellPage report_page(BuildRecord& record, const Session& session) {
                           .results = page_rows(summary_rows(record))};
   // A dual much larger than the shell would only weigh the page down.
   constexpr std::size_t always_welcome = 250000;
-  if (record.before &&
-      record.before->atoms.size() <= std::max(always_welcome, record.after.atoms.size())) {
+  if (record.before && record.before->structure.atoms.size() <=
+                           std::max(always_welcome, record.after.structure.atoms.size())) {
     page.states.push_back(std::move(*record.before));
   } else if (record.before) {
     page.notes.push_back("the dual of the input has " +
-                         std::to_string(record.before->atoms.size()) +
+                         std::to_string(record.before->structure.atoms.size()) +
                          " atoms, too many to be shown beside the shell");
   }
   // Three states of a large shell would make the page slow to open.
   constexpr std::size_t most_unrelaxed = 100000;
-  if (record.unrelaxed && record.unrelaxed->atoms.size() <= most_unrelaxed) {
+  if (record.unrelaxed && record.unrelaxed->structure.atoms.size() <= most_unrelaxed) {
     page.states.push_back(std::move(*record.unrelaxed));
   } else if (record.unrelaxed) {
     page.notes.push_back("the shell is too large for its page to show it before relaxation too");

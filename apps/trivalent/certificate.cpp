@@ -32,14 +32,13 @@ std::string ids_text(const std::vector<int>& atoms) {
 }
 
 /// Atoms whose number of bonds nothing explains.
-std::vector<int> wrong_atoms(const Structure& structure, const dual::Bonding& bonding,
+std::vector<int> wrong_atoms(const dual::Structure& structure, const dual::Bonding& bonding,
                              const dual::ShellReport& shell, const Session& session) {
   std::vector<int> wrong = shell.odd_atoms;
   if (session.has("open")) {
     std::erase_if(wrong, [&](int atom) {
       const auto i = static_cast<std::size_t>(atom);
-      return structure.frame.atoms.species[i] == potentials::Species::carbon &&
-             bonding[i].size() == 2;
+      return structure.atoms.species[i] == potentials::Species::carbon && bonding[i].size() == 2;
     });
   }
   return wrong;
@@ -67,9 +66,10 @@ void find_wrong_geometry(Certificate& certificate) {
   }
 }
 
-void check_topology(const Structure& structure, const Session& session, Certificate& certificate) {
-  const potentials::Atoms& atoms = structure.frame.atoms;
-  const dual::Bonding bonding = dual::find_bonding(atoms);
+void check_topology(const dual::Structure& structure, const Session& session,
+                    Certificate& certificate) {
+  const potentials::Atoms& atoms = structure.atoms;
+  const dual::Bonding bonding = dual::bonding_of(atoms, dual::find_bonds(atoms));
   certificate.shell = dual::check_shell(atoms, bonding, dual::find_rings(bonding));
   const dual::ShellReport& shell = certificate.shell;
   auto& problems = certificate.problems;
@@ -83,9 +83,8 @@ void check_topology(const Structure& structure, const Session& session, Certific
                        " pairs of bonds lie in no ring of up to 12 atoms");
   }
   find_wrong_geometry(certificate);
-  if (structure.network.bonds.empty()) return;
-  const auto bonds = potentials::bonds_between(atoms, structure.network.bonds);
-  const auto changes = potentials::bond_changes(atoms, bonds);
+  if (structure.bonds.empty()) return;
+  const auto changes = potentials::bond_changes(atoms, structure.bonds);
   if (!changes.broken.empty() || !changes.formed.empty()) {
     problems.push_back(
         std::to_string(changes.broken.size()) + " bonds of the file are longer than 2 Å, and " +
@@ -94,8 +93,8 @@ void check_topology(const Structure& structure, const Session& session, Certific
 }
 
 /// Energies that the file claims.
-void compare_with_file(const Structure& structure, Certificate& certificate) {
-  for (const dual::Column& column : structure.frame.columns) {
+void compare_with_file(const dual::Structure& structure, Certificate& certificate) {
+  for (const dual::Column& column : structure.columns) {
     const auto* claimed = std::get_if<std::vector<double>>(&column.values);
     if (column.name != "energies" || claimed == nullptr) continue;
     double largest = 0.0;
@@ -109,8 +108,9 @@ void compare_with_file(const Structure& structure, Certificate& certificate) {
   }
 }
 
-void check_energies(const Structure& structure, const Session& session, Certificate& certificate) {
-  certificate.energy = evaluate(structure.frame.atoms, session);
+void check_energies(const dual::Structure& structure, const Session& session,
+                    Certificate& certificate) {
+  certificate.energy = evaluate(structure.atoms, session);
   certificate.summary = dual::summarize_energies(certificate.energy.energies, n_worst);
   for (const Eigen::Vector3d& force : certificate.energy.forces) {
     certificate.largest_force = std::max(certificate.largest_force, force.norm());
@@ -123,11 +123,10 @@ void check_energies(const Structure& structure, const Session& session, Certific
   compare_with_file(structure, certificate);
 }
 
-void compare_with_lammps(const Structure& structure, const Session& session,
+void compare_with_lammps(const dual::Structure& structure, const Session& session,
                          Certificate& certificate) {
   const auto folder = std::filesystem::temp_directory_path() / "trivalent-lammps";
-  const potentials::EnergyForces theirs =
-      run_lammps(structure.frame.atoms, {}, folder, session).result;
+  const potentials::EnergyForces theirs = run_lammps(structure.atoms, {}, folder, session).result;
   const potentials::EnergyForces& ours = certificate.energy;
   double energy = 0.0;
   double force = 0.0;
@@ -150,14 +149,14 @@ void compare_with_lammps(const Structure& structure, const Session& session,
 
 Certificate certify(const std::string& file, const std::optional<remesh::TriMesh>& surface,
                     const Session& session) {
-  const Structure structure = read_structure(file, session);
+  const dual::Structure structure = read_structure(file, session);
   Certificate certificate;
   certificate.file = file;
   check_topology(structure, session, certificate);
   check_energies(structure, session, certificate);
   if (surface) {
     certificate.surface_distances =
-        remesh::distances_to_surface(structure.frame.atoms.positions, *surface);
+        remesh::distances_to_surface(structure.atoms.positions, *surface);
   }
   if (session.has("lammps")) compare_with_lammps(structure, session, certificate);
   return certificate;

@@ -5,7 +5,9 @@
 #include "shell_files.h"
 #include "size_options.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/columns.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/xyz.h"
 
 namespace trivalent::apps {
 namespace {
@@ -19,15 +21,15 @@ Grammar grammar_of_dual() {
   return grammar;
 }
 
-void write_network(const dual::Network& network, const Session& session) {
+void write_network(dual::Structure structure, const Session& session) {
   const std::filesystem::path output = session.get<std::string>("OUT");
   if (extension_of(output) == ".data") {
-    const dual::LammpsData data = {.atoms = dual::carbon_atoms(network), .bonds = network.bonds};
-    dual::write_lammps_data(output, data,
+    dual::write_lammps_data(output, structure,
                             {.style = atom_style(session), .digits = digits(session)});
-  } else {
-    dual::write_xyz(output, shell_frame(network), digits(session));
+    return;
   }
+  dual::replace_columns(structure, dual::network_columns(structure));
+  dual::write_xyz(output, structure, digits(session));
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
@@ -42,10 +44,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   remesh::TriMesh mesh = read_mesh_file(session->get<std::string>("MESH"), session->terminal);
   const double scale = dual::scale_for_size(mesh, size);
   remesh::scale(mesh, scale);
-  const dual::Network network = dual::build_dual(mesh);
-  write_network(network, *session);
+  const dual::Structure structure = dual::build_dual(mesh);
+  write_network(structure, *session);
 
-  const dual::NetworkReport report = dual::check_network(network);
+  const dual::NetworkReport report = dual::check_network(structure);
   Result result = {.table = {{"wrote", output}, {"scale [Å per unit]", significant(scale, 6)}},
                    .json = {{"file", output}, {"scale", scale}}};
   append(result.table, network_rows(report));

@@ -9,8 +9,11 @@
 #include "session.h"
 #include "shell_files.h"
 #include "structure.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/formats/xyz.h"
 #include "trivalent/view/energy_ply.h"
+#include "trivalent/view/shell_state.h"
 #include "trivalent/view/vtp.h"
 
 namespace trivalent::apps {
@@ -32,29 +35,29 @@ Grammar grammar_of_energy() {
   return grammar;
 }
 
-void write_atoms(const Structure& structure, const dual::ShellState& state,
-                 const potentials::EnergyForces& energy, const Session& session) {
-  dual::XyzFrame frame = structure.frame;
-  replace_columns(frame, dual::network_columns(state));
-  add_energies(frame, energy);
+void write_atoms(const dual::ShellState& state, const potentials::EnergyForces& energy,
+                 const Session& session) {
+  dual::Structure structure = state.structure;
+  dual::replace_columns(structure, dual::network_columns(structure));
+  dual::add_energies(structure, energy);
   if (!session.has("forces")) {
-    std::erase_if(frame.columns,
+    std::erase_if(structure.columns,
                   [](const dual::Column& column) { return column.name == "forces"; });
   }
-  dual::write_xyz(session.get<std::string>("output"), frame, digits(session));
+  dual::write_xyz(session.get<std::string>("output"), structure, digits(session));
 }
 
-void write_result(const Structure& structure, const dual::ShellState& state,
-                  const potentials::EnergyForces& energy, const Session& session) {
+void write_result(const dual::ShellState& state, const potentials::EnergyForces& energy,
+                  const Session& session) {
   const std::filesystem::path output = session.get<std::string>("output");
   const std::string extension = extension_of(output);
   if (extension == ".vtp") {
     dual::write_vtp(output, state);
   } else if (extension == ".ply") {
-    dual::write_energy_ply(output, state.network, energy.energies,
+    dual::write_energy_ply(output, state.structure, energy.energies,
                            {.scale = state.find("energy")->scale});
   } else {
-    write_atoms(structure, state, energy, session);
+    write_atoms(state, energy, session);
   }
 }
 
@@ -73,7 +76,7 @@ void add_worst_atoms(const dual::ShellState& state, const potentials::EnergyForc
                      const dual::EnergySummary& summary, Result& result) {
   result.json["worst"] = Json::array();
   for (const int atom : summary.worst) {
-    const Eigen::Vector3d& position = state.atoms.positions[atom];
+    const Eigen::Vector3d& position = state.structure.atoms.positions[atom];
     const int id = atom + 1;
     result.json["worst"].push_back({{"id", id},
                                     {"energy", energy.energies[atom]},
@@ -103,13 +106,13 @@ Result describe(const dual::ShellState& state, const potentials::EnergyForces& e
   const auto summary = dual::summarize_energies(energy.energies, session.get<int>("worst"));
   const auto& potential = session.get<std::string>("potential");
   Result result = {.table = {{"potential", potential},
-                             {"atoms", std::to_string(state.atoms.size())},
+                             {"atoms", std::to_string(state.structure.atoms.size())},
                              {"energy", decimals(energy.energy, 8) + " eV"},
                              {"per atom", decimals(summary.mean, 8) + " eV"}},
                    .json = {{"file", session.get<std::string>("FILE")},
                             {"potential", potential},
                             {"unit", "eV"},
-                            {"atoms", state.atoms.size()},
+                            {"atoms", state.structure.atoms.size()},
                             {"energy", energy.energy},
                             {"energy_per_atom", summary.mean}}};
   if (is_rebo(session)) {
@@ -148,11 +151,11 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_energy());
   if (!session) return done;
   check_options(*session);
-  const Structure structure = read_structure(session->get<std::string>("FILE"), *session);
-  const potentials::EnergyForces energy = energy_of(structure.frame.atoms, *session);
-  dual::ShellState state = state_of(structure);
+  dual::ShellState state =
+      dual::shell_state("atoms", read_structure(session->get<std::string>("FILE"), *session));
+  const potentials::EnergyForces energy = energy_of(state.structure.atoms, *session);
   dual::add_energies(state, energy.energies, graphene_reference(*session));
-  if (session->has("output")) write_result(structure, state, energy, *session);
+  if (session->has("output")) write_result(state, energy, *session);
   session->terminal.print(describe(state, energy, *session));
   return done;
 }

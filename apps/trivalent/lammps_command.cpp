@@ -49,20 +49,18 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const std::filesystem::path folder = session->get<std::string>("output");
   check_folder(folder);
 
-  Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
-  const double energy = potentials::rebo(structure.frame.atoms).energy;
-  const dual::LammpsData data = {.atoms = std::move(structure.frame.atoms),
-                                 .bonds = std::move(structure.network.bonds)};
+  const dual::Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
+  const double energy = potentials::rebo(structure.atoms).energy;
   make_folder(folder);
-  const auto names = dual::write_lammps_package(folder, data, energy, options);
+  const auto names = dual::write_lammps_package(folder, structure, energy, options);
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  session->terminal.print({.table = {{"atoms", std::to_string(data.atoms.size())},
+  session->terminal.print({.table = {{"atoms", std::to_string(structure.atoms.size())},
                                      {"energy", decimals(energy, 8) + " eV"},
                                      {"folder", folder.string()},
                                      {"files", list},
                                      {"next", "cd " + folder.string() + " && lmp -in in.check"}},
-                           .json = {{"atoms", data.atoms.size()},
+                           .json = {{"atoms", structure.atoms.size()},
                                     {"energy", energy},
                                     {"folder", folder.string()},
                                     {"files", names}}});

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "trivalent/dual/check_atoms.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/lammps_deck.h"
 #include "trivalent/remesh/whole_file.h"
@@ -127,10 +128,6 @@ class LammpsOutput {
   int evaluations_ = 0;
 };
 
-bool has_hydrogen(const potentials::Atoms& atoms) {
-  return std::ranges::find(atoms.species, potentials::Species::hydrogen) != atoms.species.end();
-}
-
 bool has_tilts(const potentials::Box& box) {
   return box.cell(0, 1) != 0.0 || box.cell(0, 2) != 0.0 || box.cell(1, 2) != 0.0;
 }
@@ -151,7 +148,7 @@ void write_input(const potentials::Atoms& atoms, const LammpsTask& task, const f
   const dual::LammpsDeckOptions deck = {
       .data_files = {"atoms.data"},
       .periodic = atoms.box.periodic,
-      .has_hydrogen = has_hydrogen(atoms),
+      .has_hydrogen = dual::has_hydrogen(atoms),
       .potential = is_airebo(session) ? dual::LammpsPotential::airebo : dual::LammpsPotential::rebo,
       .potential_file = potential_file(session, usual_potential_file(session))};
   const dual::LammpsMinimization minimization = {.style = task.style,

@@ -13,7 +13,9 @@
 #include "session.h"
 #include "shell_files.h"
 #include "structure.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/formats/xyz.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/relax.h"
 
@@ -64,16 +66,15 @@ potentials::Minimizer minimizer(const Session& session) {
 }
 
 /// Bonds as the input has them, or else guessed.
-std::vector<potentials::Bond> network_bonds(const Structure& structure, const Session& session) {
-  if (!structure.network.bonds.empty()) {
-    return potentials::bonds_between(structure.frame.atoms, structure.network.bonds);
-  }
-  potentials::GuessedBonds guess = potentials::guess_bonds(structure.frame.atoms);
+std::vector<potentials::Bond> network_bonds(const dual::Structure& structure,
+                                            const Session& session) {
+  if (!structure.bonds.empty()) return structure.bonds;
+  potentials::GuessedBonds guess = potentials::guess_bonds(structure.atoms);
   session.terminal.note(guess_note(guess));
   return std::move(guess.bonds);
 }
 
-potentials::RelaxOptions relax_options(const Structure& structure,
+potentials::RelaxOptions relax_options(const dual::Structure& structure,
                                        const std::vector<potentials::Bond>& bonds,
                                        const Session& session) {
   potentials::RelaxOptions options = {.minimizer = minimizer(session),
@@ -85,9 +86,9 @@ potentials::RelaxOptions relax_options(const Structure& structure,
                                                  : potentials::BoxPolicy::fixed,
                                       .checkpoint_every = session.get<int>("checkpoint-every")};
   // Guessed bonds may break and form.
-  if (!structure.network.bonds.empty()) options.bonds = bonds;
+  if (!structure.bonds.empty()) options.bonds = bonds;
   if (const auto groups = session.find<std::vector<std::string>>("fix")) {
-    options.fixed = atoms_in_groups(*groups, structure.frame.atoms, bonds);
+    options.fixed = atoms_in_groups(*groups, structure.atoms, bonds);
   }
   return options;
 }
@@ -97,7 +98,7 @@ std::filesystem::path checkpoint_path(const Session& session) {
 }
 
 /// Takes up what an interrupted run has left; returns the atoms to begin with.
-potentials::Atoms resume_or_start(const Structure& structure, const std::string& mark,
+potentials::Atoms resume_or_start(const dual::Structure& structure, const std::string& mark,
                                   Trajectory* trajectory, potentials::RelaxOptions& options,
                                   const Session& session) {
   auto saved = load_relaxation(checkpoint_path(session), mark);
@@ -106,7 +107,7 @@ potentials::Atoms resume_or_start(const Structure& structure, const std::string&
   }
   if (!saved) {
     if (trajectory != nullptr) trajectory->start();
-    return structure.frame.atoms;
+    return structure.atoms;
   }
   session.terminal.note("going on from " + checkpoint_path(session).string() + ", step " +
                         std::to_string(saved->steps));
@@ -114,18 +115,18 @@ potentials::Atoms resume_or_start(const Structure& structure, const std::string&
   options.first_step = saved->steps;
   options.first_evaluation = saved->evaluations;
   // A box that only frames a cluster comes back padded.
-  if (!saved->atoms.box.is_periodic()) saved->atoms.box = structure.frame.atoms.box;
+  if (!saved->atoms.box.is_periodic()) saved->atoms.box = structure.atoms.box;
   return std::move(saved->atoms);
 }
 
 /// Relaxes the atoms, with checkpoint, trajectory and progress as the options want them. The exit
 /// code tells of a stop on the way.
-potentials::RelaxResult relax_here(const Structure& structure,
+potentials::RelaxResult relax_here(const dual::Structure& structure,
                                    const std::vector<potentials::Bond>& bonds, int& exit_code,
                                    const Session& session) {
   const StopRequest stop;
   potentials::RelaxOptions options = relax_options(structure, bonds, session);
-  const std::string mark = fingerprint(structure.frame.atoms, options, potential_text(session));
+  const std::string mark = fingerprint(structure.atoms, options, potential_text(session));
   std::optional<Trajectory> trajectory;
   if (session.has("trajectory")) {
     trajectory.emplace(session.get<std::string>("trajectory"), session.get<int>("every"));
@@ -149,7 +150,7 @@ potentials::RelaxResult relax_here(const Structure& structure,
 }
 
 /// The same by LAMMPS, which has no gentle start: bonds may break.
-potentials::RelaxResult relax_with_lammps(const Structure& structure,
+potentials::RelaxResult relax_with_lammps(const dual::Structure& structure,
                                           const std::vector<potentials::Bond>& bonds,
                                           const Session& session) {
   LammpsTask task = {.style = session.find<std::string>("minimizer").value_or("cg"),
@@ -157,10 +158,9 @@ potentials::RelaxResult relax_with_lammps(const Structure& structure,
                      .max_steps = session.get<int>("max-steps"),
                      .relax_box = session.has("relax-box")};
   if (const auto groups = session.find<std::vector<std::string>>("fix")) {
-    task.fixed = atoms_in_groups(*groups, structure.frame.atoms, bonds);
+    task.fixed = atoms_in_groups(*groups, structure.atoms, bonds);
   }
-  return run_lammps(structure.frame.atoms, task, session.get<std::string>("output") + ".lammps",
-                    session);
+  return run_lammps(structure.atoms, task, session.get<std::string>("output") + ".lammps", session);
 }
 
 Result describe(const RelaxReport& report, const potentials::RelaxResult& relaxed,
@@ -186,14 +186,13 @@ Result describe(const RelaxReport& report, const potentials::RelaxResult& relaxe
   return result;
 }
 
-void write_result(const Structure& structure, const potentials::RelaxResult& relaxed,
+void write_result(const dual::Structure& structure, const potentials::RelaxResult& relaxed,
                   const Session& session) {
-  dual::XyzFrame frame = structure.frame;
-  const std::vector<Eigen::Vector3d> before = std::move(frame.atoms.positions);
-  frame.atoms = relaxed.atoms;
-  add_energies(frame, relaxed.result);
-  add_displacements(frame, before);
-  dual::write_xyz(session.get<std::string>("output"), frame, digits(session));
+  dual::Structure result = structure;
+  result.atoms = relaxed.atoms;
+  dual::add_energies(result, relaxed.result);
+  dual::add_displacements(result, structure.atoms.positions);
+  dual::write_xyz(session.get<std::string>("output"), result, digits(session));
 }
 
 void check_minimization_by_lammps(const Session& session) {
@@ -234,7 +233,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_relax());
   if (!session) return done;
   check_options(*session);
-  const Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
+  const dual::Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
   const auto bonds = network_bonds(structure, *session);
   int exit_code = done;
   const potentials::RelaxResult relaxed = uses_lammps(*session)
@@ -243,7 +242,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   write_result(structure, relaxed, *session);
   // A run that was stopped can be taken up again.
   if (exit_code == done) std::filesystem::remove(checkpoint_path(*session));
-  const RelaxReport report = report_relaxation(structure.frame.atoms.positions, bonds, relaxed);
+  const RelaxReport report = report_relaxation(structure.atoms.positions, bonds, relaxed);
   session->terminal.notes(relax_notes(report, relaxed));
   session->terminal.print(describe(report, relaxed, *session));
   return exit_code;

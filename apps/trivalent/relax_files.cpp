@@ -26,8 +26,8 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
-const double* find_number(const dual::XyzFrame& frame, std::string_view key) {
-  for (const dual::HeaderEntry& entry : frame.header) {
+const double* find_number(const dual::Structure& structure, std::string_view key) {
+  for (const dual::HeaderEntry& entry : structure.header) {
     if (entry.key == key) return std::get_if<double>(&entry.value);
   }
   return nullptr;
@@ -110,28 +110,28 @@ void Trajectory::finish() {
 
 void save_relaxation(const std::filesystem::path& path, const std::string& fingerprint,
                      const potentials::RelaxCheckpoint& state, std::uintmax_t trajectory_size) {
-  const dual::XyzFrame frame = {
+  const dual::Structure structure = {
       .atoms = state.atoms,
       .header = {{.key = "fingerprint", .value = fingerprint},
                  {.key = "steps", .value = static_cast<double>(state.steps)},
                  {.key = "evaluations", .value = static_cast<double>(state.evaluations)},
                  {.key = "trajectory_size", .value = static_cast<double>(trajectory_size)}}};
-  dual::write_xyz(path, frame, dual::Digits::seventeen_significant);
+  dual::write_xyz(path, structure, dual::Digits::seventeen_significant);
 }
 
 std::optional<SavedRelaxation> load_relaxation(const std::filesystem::path& path,
                                                const std::string& fingerprint) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return std::nullopt;
-  dual::XyzFrame frame = dual::read_xyz(path);
-  const double* steps = find_number(frame, "steps");
-  const double* evaluations = find_number(frame, "evaluations");
-  const double* size = find_number(frame, "trajectory_size");
-  for (const dual::HeaderEntry& entry : frame.header) {
+  dual::Structure structure = dual::read_xyz(path).structure;
+  const double* steps = find_number(structure, "steps");
+  const double* evaluations = find_number(structure, "evaluations");
+  const double* size = find_number(structure, "trajectory_size");
+  for (const dual::HeaderEntry& entry : structure.header) {
     const auto* text = std::get_if<std::string>(&entry.value);
     if (entry.key != "fingerprint" || text == nullptr || *text != fingerprint) continue;
     if (steps == nullptr || evaluations == nullptr || size == nullptr) return std::nullopt;
-    return SavedRelaxation{.atoms = std::move(frame.atoms),
+    return SavedRelaxation{.atoms = std::move(structure.atoms),
                            .steps = static_cast<int>(*steps),
                            .evaluations = static_cast<int>(*evaluations),
                            .trajectory_size = static_cast<std::uintmax_t>(*size)};

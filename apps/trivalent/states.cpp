@@ -9,9 +9,10 @@ namespace trivalent::apps {
 namespace {
 
 dual::ShellState read_state(const std::string& path, const Session& session) {
-  dual::ShellState state = state_of(read_structure(path, session));
-  state.name = std::filesystem::path(path).filename().string();
-  dual::add_energies(state, evaluate(state.atoms, session).energies, graphene_reference(session));
+  dual::ShellState state = dual::shell_state(std::filesystem::path(path).filename().string(),
+                                             read_structure(path, session));
+  dual::add_energies(state, evaluate(state.structure.atoms, session).energies,
+                     graphene_reference(session));
   return state;
 }
 
@@ -47,8 +48,8 @@ std::vector<dual::ShellState> read_states(const Session& session) {
   if (const auto names = session.find<std::vector<std::string>>("name")) {
     for (std::size_t i = 0; i < states.size(); ++i) states[i].name = (*names)[i];
   }
-  const potentials::Atoms& first = states.front().atoms;
-  const potentials::Atoms& last = states.back().atoms;
+  const potentials::Atoms& first = states.front().structure.atoms;
+  const potentials::Atoms& last = states.back().structure.atoms;
   if (states.size() > 1 && first.species == last.species) {
     states.back().maps.push_back(dual::displacement_map(first.positions, last.positions));
   }

@@ -1,10 +1,12 @@
 #include "structure.h"
 
 #include "files.h"
-#include "shell_files.h"
 #include "size_options.h"
 #include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/columns.h"
+#include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/xyz.h"
 
 namespace trivalent::apps {
 namespace {
@@ -18,30 +20,37 @@ std::array<bool, 3> periodic_directions(const std::string& text) {
   return {has('x'), has('y'), has('z')};
 }
 
-Structure read_mesh_dual(const std::string& path, const Session& session) {
+dual::Structure read_mesh_dual(const std::string& path, const Session& session) {
   remesh::TriMesh mesh = read_mesh_file(path, session.terminal);
   remesh::scale(mesh, dual::scale_for_size(mesh, dual_size(session)));
-  Structure structure;
-  structure.network = dual::build_dual(mesh);
-  structure.frame = shell_frame(structure.network);
+  dual::Structure structure = dual::build_dual(mesh);
+  structure.atoms.box = dual::padded_box(structure.atoms.positions);
+  dual::replace_columns(structure, dual::network_columns(structure));
   return structure;
 }
 
-Structure read_file(const std::string& path, const Session& session) {
+dual::Structure read_file(const std::string& path, const Session& session) {
   const std::string extension = extension_of(path);
-  Structure structure;
+  dual::StructureFile file;
   if (extension == ".extxyz" || extension == ".xyz") {
-    structure.frame = dual::read_xyz(path);
+    file = dual::read_xyz(path);
   } else if (extension == ".data" || extension == ".lmp") {
-    dual::LammpsData data = dual::read_lammps_data(path);
-    structure.frame = {.atoms = std::move(data.atoms), .notes = std::move(data.notes)};
-    structure.network.bonds = std::move(data.bonds);
+    file = dual::read_lammps_data(path);
   } else {
     return read_mesh_dual(path, session);
   }
-  session.terminal.notes(structure.frame.notes);
-  structure.network.positions = structure.frame.atoms.positions;
-  return structure;
+  session.terminal.notes(file.notes);
+  return std::move(file.structure);
+}
+
+/// A bond does not lead across a boundary that is none.
+void set_periodic(dual::Structure& structure, const std::array<bool, 3>& periodic) {
+  structure.atoms.box.periodic = periodic;
+  for (potentials::Bond& bond : structure.bonds) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!periodic[axis]) bond.image[axis] = 0;
+    }
+  }
 }
 
 }  // namespace
@@ -62,17 +71,12 @@ void check_structure_options(const Session& session) {
   }
 }
 
-Structure read_structure(const std::string& path, const Session& session) {
-  Structure structure = read_file(path, session);
+dual::Structure read_structure(const std::string& path, const Session& session) {
+  dual::Structure structure = read_file(path, session);
   if (const auto periodic = session.find<std::string>("periodic")) {
-    structure.frame.atoms.box.periodic = periodic_directions(*periodic);
+    set_periodic(structure, periodic_directions(*periodic));
   }
   return structure;
-}
-
-dual::ShellState state_of(const Structure& structure) {
-  if (structure.network.rings.empty()) return dual::atoms_state("atoms", structure.frame.atoms);
-  return dual::network_state("dual", structure.network);
 }
 
 }  // namespace trivalent::apps

@@ -29,7 +29,7 @@ std::vector<dual::PageRow> energy_rows(const std::vector<dual::ShellState>& stat
   for (const dual::ShellState& state : states) {
     const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
     rows.push_back({state.name});
-    rows.push_back({"atoms", std::to_string(state.atoms.size())});
+    rows.push_back({"atoms", std::to_string(state.structure.atoms.size())});
     rows.push_back({"energy", decimals(summary.total, 6) + " eV"});
     rows.push_back({"per atom", decimals(summary.mean, 6) + " eV"});
     rows.push_back({"lowest, highest",
@@ -44,10 +44,10 @@ Result describe(const std::vector<dual::ShellState>& states, const std::filesyst
                    .json = {{"page", page.string()}, {"bytes", bytes}, {"states", Json::array()}}};
   for (const dual::ShellState& state : states) {
     const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
-    result.table.push_back({state.name, std::to_string(state.atoms.size()) + " atoms, mean " +
-                                            decimals(summary.mean, 4) + " eV"});
+    result.table.push_back({state.name, std::to_string(state.structure.atoms.size()) +
+                                            " atoms, mean " + decimals(summary.mean, 4) + " eV"});
     result.json["states"].push_back({{"name", state.name},
-                                     {"atoms", state.atoms.size()},
+                                     {"atoms", state.structure.atoms.size()},
                                      {"energy", summary.total},
                                      {"highest", summary.highest}});
   }

@@ -23,12 +23,7 @@ struct ReducedFrame {
       : cell(completed_cell(box)), inverse(cell.inverse()), periodic(box.periodic) {}
 
   [[nodiscard]] Eigen::Vector3d shift(const std::array<std::int16_t, 3>& image) const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const std::int16_t count = image[static_cast<std::size_t>(k)];
-      if (count != 0) sum += count * cell.col(k);
-    }
-    return sum;
+    return Box{.cell = cell}.offset(image);
   }
 };
 
@@ -138,11 +133,8 @@ bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to, S
     std::swap(first, second);
     for (std::int32_t& k : image) k = -k;
   }
-  Eigen::Vector3d separation = atoms.positions[second] - atoms.positions[first];
-  for (int k = 0; k < 3; ++k) {
-    const std::int32_t count = image[static_cast<std::size_t>(k)];
-    if (count != 0) separation += count * atoms.box.cell.col(k);
-  }
+  const Eigen::Vector3d separation =
+      atoms.box.shifted(atoms.positions[second] - atoms.positions[first], image);
   return separation.squaredNorm() < distances.cutoff;
 }
 

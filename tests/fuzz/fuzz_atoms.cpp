@@ -33,8 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int file = memfd_create("atoms", 0);
   if (file < 0 || write(file, data, size) != static_cast<ssize_t>(size)) std::abort();
   const std::filesystem::path path = "/proc/self/fd/" + std::to_string(file);
-  try_to_read([&] { return dual::read_xyz(path).atoms; });
-  try_to_read([&] { return dual::read_lammps_data(path).atoms; });
+  try_to_read([&] { return dual::read_xyz(path).structure.atoms; });
+  try_to_read([&] { return dual::read_lammps_data(path).structure.atoms; });
   close(file);
   return 0;
 }

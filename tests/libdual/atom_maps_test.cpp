@@ -14,7 +14,8 @@ namespace trivalent::dual {
 namespace {
 
 TEST(PyramidalizationMap, IsZeroInGraphene) {
-  for (const double angle : pyramidalization_map(find_bonding(graphene_cell())).values) {
+  for (const double angle :
+       pyramidalization_map(bonding_of(graphene_cell(), find_bonds(graphene_cell()))).values) {
     EXPECT_NEAR(angle, 0.0, 1e-9);
   }
 }
@@ -32,7 +33,7 @@ TEST(PyramidalizationMap, IsThatOfTheDodecahedronInC20) {
 }
 
 TEST(PyramidalizationMap, HasNoValueWithoutThreeBonds) {
-  const Network network = build_dual(testing_support::flat_sheet(3, 3, 2.46));
+  const Structure network = build_dual(testing_support::flat_sheet(3, 3, 2.46));
   const Bonding bonding = bonding_of(network);
   const AtomMap map = pyramidalization_map(bonding);
   for (std::size_t i = 0; i < bonding.size(); ++i) {
@@ -42,7 +43,7 @@ TEST(PyramidalizationMap, HasNoValueWithoutThreeBonds) {
 
 TEST(BondStrainMap, IsTheStretchOfAScaledSheet) {
   const potentials::Atoms cell = graphene_cell(1.05 * 1.42);
-  const AtomMap map = bond_strain_map(find_bonding(cell), cell.species, 1.42);
+  const AtomMap map = bond_strain_map(bonding_of(cell, find_bonds(cell)), cell.species, 1.42);
   for (const double strain : map.values) EXPECT_NEAR(strain, 5.0, 1e-9);
   EXPECT_NEAR(map.scale.middle(), 0.0, 1e-12);
 }
@@ -72,9 +73,9 @@ TEST(AtomMap, IsGreyWithoutAValue) {
 }
 
 TEST(ShellState, SaysTheSameOfAtomsAndOfTheNetworkTheyCameFrom) {
-  const Network network = build_dual(testing_support::flat_sheet(9, 7, 2.46));
-  const ShellState known = network_state("known", network);
-  const ShellState found = atoms_state("found", known.atoms);
+  const Structure network = build_dual(testing_support::flat_sheet(9, 7, 2.46));
+  const ShellState known = shell_state("known", network);
+  const ShellState found = shell_state("found", {.atoms = known.structure.atoms});
   EXPECT_EQ(found.ring_sizes, known.ring_sizes);
   EXPECT_EQ(found.rings_at_atoms, known.rings_at_atoms);
   EXPECT_EQ(found.find("coordination")->values, known.find("coordination")->values);
@@ -86,7 +87,7 @@ TEST(AddEnergies, KeepsHydrogenOutOfTheScales) {
                              .species = {potentials::Species::carbon, potentials::Species::carbon,
                                          potentials::Species::hydrogen},
                              .box = {}};
-  ShellState state = atoms_state("C2H", atoms);
+  ShellState state = shell_state("C2H", {.atoms = atoms});
   add_energies(state, std::vector<double>{-7.0, -6.5, -2.0}, -7.0);
   EXPECT_EQ(state.find("energy")->values[2], -2.0);
   EXPECT_EQ(state.find("energy")->scale.high, -6.5);
@@ -95,7 +96,7 @@ TEST(AddEnergies, KeepsHydrogenOutOfTheScales) {
 }
 
 TEST(AddEnergies, ThrowsUnlessThereIsOnePerAtom) {
-  ShellState state = network_state("C20", build_dual(testing_support::icosahedron()));
+  ShellState state = shell_state("C20", build_dual(testing_support::icosahedron()));
   EXPECT_THROW(add_energies(state, std::vector<double>(19), 0.0), InvalidNetwork);
   add_energies(state, std::vector<double>(20, -6.0), -7.0);
   EXPECT_EQ(state.maps.front().name, "energy");

@@ -7,7 +7,6 @@
 
 #include "small_meshes.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
 #include "trivalent/dual/dual_size.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/dual/network_checks.h"
@@ -22,17 +21,19 @@ std::vector<int> sorted(std::vector<int> ring) {
   return ring;
 }
 
-std::vector<std::vector<int>> as_sets(const std::vector<std::vector<int>>& rings) {
+std::vector<std::vector<int>> as_sets(const std::vector<Ring>& rings) {
   std::vector<std::vector<int>> sets;
-  for (const auto& ring : rings) sets.push_back(sorted(ring));
+  for (const Ring& ring : rings) sets.push_back(sorted(ring.atoms));
   std::sort(sets.begin(), sets.end());
   return sets;
 }
 
+Bonding bonding_by_distance(const potentials::Atoms& atoms) {
+  return bonding_of(atoms, find_bonds(atoms));
+}
+
 std::vector<std::vector<int>> found_sets(const Bonding& bonding) {
-  std::vector<std::vector<int>> rings;
-  for (const Ring& ring : find_rings(bonding)) rings.push_back(ring.atoms);
-  return as_sets(rings);
+  return as_sets(find_rings(bonding));
 }
 
 remesh::TriMesh with_bond(remesh::TriMesh mesh) {
@@ -43,7 +44,7 @@ remesh::TriMesh with_bond(remesh::TriMesh mesh) {
 TEST(FindRings, GivesTheDualOfAMeshItsRingsBack) {
   for (const remesh::TriMesh& mesh : {testing_support::icosahedron(), testing_support::torus(24, 9),
                                       testing_support::flat_sheet(7, 5, 2.46)}) {
-    const Network network = build_dual(mesh);
+    const Structure network = build_dual(mesh);
     EXPECT_EQ(found_sets(bonding_of(network)), as_sets(network.rings));
   }
 }
@@ -59,7 +60,7 @@ TEST(FindRings, SeesOddRingsAmongHexagons) {
     mesh.flip(edge);
     break;
   }
-  const Network network = build_dual(mesh);
+  const Structure network = build_dual(mesh);
   const auto sizes = check_network(network).ring_sizes;
   ASSERT_EQ(sizes.at(5), 2);
   ASSERT_EQ(sizes.at(7), 2);
@@ -68,15 +69,16 @@ TEST(FindRings, SeesOddRingsAmongHexagons) {
 
 TEST(FindRings, LeavesAtomsOfFourBondsOut) {
   // A cube whose corner 0 has a fourth bond: the three faces away from it remain.
-  Network cube;
-  for (int i = 0; i < 8; ++i) cube.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  Structure cube;
+  for (int i = 0; i < 8; ++i) cube.atoms.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
   for (int i = 0; i < 8; ++i) {
     for (const int bit : {1, 2, 4}) {
-      if ((i & bit) == 0) cube.bonds.push_back({i, i | bit});
+      if ((i & bit) != 0) continue;
+      cube.bonds.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i | bit)});
     }
   }
   EXPECT_EQ(find_rings(bonding_of(cube)).size(), 6u);
-  cube.positions.emplace_back(-1, -1, -1);
+  cube.atoms.positions.emplace_back(-1, -1, -1);
   cube.bonds.push_back({0, 8});
   const auto rings = find_rings(bonding_of(cube));
   for (const Ring& ring : rings) {
@@ -87,31 +89,36 @@ TEST(FindRings, LeavesAtomsOfFourBondsOut) {
 
 TEST(FindRings, CountsRingsAcrossPeriodicBoundaries) {
   // Four atoms and two rings a cell; every ring leaves a cell this small.
-  const auto bonding = find_bonding(graphene_cell());
+  Structure cell = {.atoms = graphene_cell()};
+  add_missing_network(cell);
+  const Bonding bonding = bonding_of(cell);
   EXPECT_EQ(coordinations(bonding), std::vector<int>(4, 3));
-  const auto rings = find_rings(bonding);
-  ASSERT_EQ(rings.size(), 2u);
-  for (const Ring& ring : rings) {
+  ASSERT_EQ(cell.rings.size(), 2u);
+  for (const Ring& ring : cell.rings) {
     EXPECT_EQ(ring.atoms.size(), 6u);
     EXPECT_TRUE(ring.crosses_boundary);
   }
-  EXPECT_TRUE(drawable_network(graphene_cell(), bonding, rings).rings.empty());
+  EXPECT_TRUE(drawable_rings(cell).empty());
+  EXPECT_LT(drawable_bonds(cell).size(), cell.bonds.size());
+  for (const auto& ends : bonding) {
+    for (const BondEnd& end : ends) EXPECT_NEAR(end.separation.norm(), graphene_bond, 1e-12);
+  }
 }
 
-TEST(FindBonding, FindsTheBondsOfAShell) {
-  const Network network = build_dual(with_bond(testing_support::icosahedron()));
-  const Bonding found = find_bonding(carbon_atoms(network));
+TEST(FindBonds, FindsTheBondsOfAShell) {
+  const Structure network = build_dual(with_bond(testing_support::icosahedron()));
+  const Bonding found = bonding_by_distance(network.atoms);
   EXPECT_EQ(coordinations(found), coordinations(network));
 }
 
-TEST(FindBonding, ThinksSmallerOfHydrogen) {
+TEST(FindBonds, ThinksSmallerOfHydrogen) {
   using potentials::Species;
   potentials::Atoms atoms = {.positions = {{0, 0, 0}, {1.6, 0, 0}, {0, 1.5, 0}},
                              .species = {Species::carbon, Species::carbon, Species::hydrogen},
                              .box = {}};
-  EXPECT_EQ(coordinations(find_bonding(atoms)), (std::vector<int>{2, 1, 1}));
+  EXPECT_EQ(coordinations(bonding_by_distance(atoms)), (std::vector<int>{2, 1, 1}));
   atoms.species[1] = Species::hydrogen;
-  EXPECT_EQ(coordinations(find_bonding(atoms)), (std::vector<int>{1, 0, 1}));
+  EXPECT_EQ(coordinations(bonding_by_distance(atoms)), (std::vector<int>{1, 0, 1}));
 }
 
 TEST(GrapheneCell, HasGraphenesEnergy) {

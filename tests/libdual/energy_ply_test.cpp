@@ -12,7 +12,7 @@
 namespace trivalent::dual {
 namespace {
 
-std::string text_of(const Network& network, const std::vector<double>& energies, PlyKind kind) {
+std::string text_of(const Structure& network, const std::vector<double>& energies, PlyKind kind) {
   std::ostringstream out;
   write_energy_ply(out, network, energies,
                    {.scale = diverging_scale(energies, -7.0), .kind = kind});
@@ -20,7 +20,7 @@ std::string text_of(const Network& network, const std::vector<double>& energies,
 }
 
 TEST(WriteEnergyPly, DeclaresWhatItHolds) {
-  const Network network = build_dual(testing_support::icosahedron());
+  const Structure network = build_dual(testing_support::icosahedron());
   const std::string text = text_of(network, std::vector<double>(20, -7.0), PlyKind::text);
   EXPECT_NE(text.find("element vertex 20\n"), std::string::npos);
   EXPECT_NE(text.find("property double energy\nelement face 12\n"), std::string::npos);
@@ -31,21 +31,21 @@ TEST(WriteEnergyPly, DeclaresWhatItHolds) {
 }
 
 TEST(WriteEnergyPly, WritesTheSameInBinary) {
-  const Network network = build_dual(testing_support::icosahedron());
+  const Structure network = build_dual(testing_support::icosahedron());
   const std::string text = text_of(network, std::vector<double>(20, -7.0), PlyKind::binary);
   const std::string body = text.substr(text.find("end_header\n") + 11);
   const std::size_t vertex_size = 4 * sizeof(double) + 3;
   ASSERT_EQ(body.size(), 20 * vertex_size + 12 * 6 * sizeof(std::int32_t));
   double y = 0.0;
   std::memcpy(&y, body.data() + vertex_size + sizeof(double), sizeof(double));
-  EXPECT_EQ(y, network.positions[1].y());
+  EXPECT_EQ(y, network.atoms.positions[1].y());
   std::int32_t size = 0;
   std::memcpy(&size, body.data() + 20 * vertex_size, sizeof size);
   EXPECT_EQ(size, 5);
 }
 
 TEST(WriteEnergyPly, ThrowsOnEnergiesThatDoNotFit) {
-  const Network network = build_dual(testing_support::icosahedron());
+  const Structure network = build_dual(testing_support::icosahedron());
   EXPECT_THROW(text_of(network, std::vector<double>(19, -7.0), PlyKind::text), InvalidNetwork);
   std::ostringstream out;
   EXPECT_THROW(write_energy_ply(out, network, std::vector<double>(20, NAN), {}), InvalidNetwork);
@@ -53,7 +53,7 @@ TEST(WriteEnergyPly, ThrowsOnEnergiesThatDoNotFit) {
 }
 
 TEST(WriteEnergyPly, ThrowsWhereNoFileCanBe) {
-  const Network network = build_dual(testing_support::icosahedron());
+  const Structure network = build_dual(testing_support::icosahedron());
   EXPECT_THROW(
       write_energy_ply("/nonexistent/folder/a.ply", network, std::vector<double>(20, -7.0), {}),
       FileError);

@@ -8,7 +8,7 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/padded_box.h"
 
 namespace trivalent::dual {
 namespace {
@@ -17,28 +17,31 @@ using potentials::Species;
 using testing_support::message_of;
 using testing_support::TemporaryFolder;
 
-LammpsData c20() {
-  const Network network = build_dual(testing_support::icosahedron());
-  return {.atoms = carbon_atoms(network), .bonds = network.bonds};
+Structure c20() {
+  Structure structure = build_dual(testing_support::icosahedron());
+  structure.atoms.box = padded_box(structure.atoms.positions);
+  return structure;
 }
 
-std::string text_of(const LammpsData& data, const LammpsDataOptions& options = {}) {
+std::string text_of(const Structure& data, const LammpsDataOptions& options = {}) {
   std::ostringstream out;
   write_lammps_data(out, data, options);
   return out.str();
 }
 
-LammpsData read_back(const std::string& text) {
+StructureFile file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_lammps_data(folder.file("shell.data", text));
 }
+
+Structure read_back(const std::string& text) { return file_of(text).structure; }
 
 std::string complaint_about(const std::string& text) {
   return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
 }
 
 TEST(WriteLammpsData, FollowsTheFormat) {
-  LammpsData data;
+  Structure data;
   data.atoms.positions = {{1, 2, 3}};
   data.atoms.species = {Species::carbon};
   EXPECT_EQ(text_of(data, {.title = "one atom"}),
@@ -50,28 +53,28 @@ TEST(WriteLammpsData, FollowsTheFormat) {
 
 TEST(WriteLammpsData, ReadsBackToTheSameBits) {
   for (const AtomStyle style : {AtomStyle::atomic, AtomStyle::molecular}) {
-    LammpsData data = c20();
+    Structure data = c20();
     data.atoms.species[3] = Species::hydrogen;
-    const LammpsData copy =
-        read_back(text_of(data, {.style = style, .digits = Digits::seventeen_significant}));
+    const auto [copy, notes] =
+        file_of(text_of(data, {.style = style, .digits = Digits::seventeen_significant}));
     EXPECT_EQ(copy.atoms.positions, data.atoms.positions);
     EXPECT_EQ(copy.atoms.species, data.atoms.species);
     EXPECT_EQ(copy.bonds.size(), style == AtomStyle::molecular ? data.bonds.size() : 0u);
-    EXPECT_TRUE(copy.notes.empty());
+    EXPECT_TRUE(notes.empty());
   }
 }
 
 TEST(WriteLammpsData, KeepsATiltedBox) {
-  LammpsData data = c20();
+  Structure data = c20();
   data.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
   data.atoms.box.periodic = {true, true, true};
-  const LammpsData copy = read_back(text_of(data));
+  const Structure copy = read_back(text_of(data));
   EXPECT_EQ(copy.atoms.box.cell, data.atoms.box.cell);
   EXPECT_EQ(copy.atoms.box.origin, data.atoms.box.origin);
 }
 
 TEST(WriteLammpsData, HoldsAtomsThatLeftABoxWhereItIsNotPeriodic) {
-  LammpsData data;
+  Structure data;
   data.atoms.positions = {{1, 2, 3}, {2, 2, -5}, {-1, 2, 4}};
   data.atoms.species.assign(3, Species::carbon);
   data.atoms.box.cell.diagonal() = Eigen::Vector3d(4, 5, 6);
@@ -83,7 +86,7 @@ TEST(WriteLammpsData, HoldsAtomsThatLeftABoxWhereItIsNotPeriodic) {
 }
 
 TEST(WriteLammpsData, ThrowsOnABoxThatLammpsCannotHave) {
-  LammpsData data = c20();
+  Structure data = c20();
   data.atoms.box.cell(1, 0) = 1.0;
   EXPECT_THROW(text_of(data), InvalidOption);
   data = c20();
@@ -100,13 +103,13 @@ TEST(WriteLammpsData, ThrowsOnATitleOfTwoLines) {
 }
 
 TEST(WriteLammpsData, ThrowsOnABondToAMissingAtom) {
-  LammpsData data = c20();
+  Structure data = c20();
   data.bonds.push_back({0, 20});
   EXPECT_THROW(text_of(data), InvalidNetwork);
 }
 
 TEST(WriteLammpsData, ThrowsOnMissingSpeciesAndInfiniteCoordinates) {
-  LammpsData data = c20();
+  Structure data = c20();
   data.atoms.species.pop_back();
   EXPECT_THROW(text_of(data), InvalidNetwork);
   data = c20();
@@ -131,7 +134,7 @@ TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
       "\nAtoms  # full\n\n2 7 1 0.5 1 2 3\n1 7 1 0 0 0 0\n",
       "\nAtoms\n\n2 7 1 0.5 1 2 3 0 0 0\n1 7 1 0 0 0 0 0 0 0\n\nVelocities\n\n1 0 0 0\n2 0 0 0\n"};
   for (const std::string& section : sections) {
-    const LammpsData data = read_back(header + masses + section);
+    const Structure data = read_back(header + masses + section);
     ASSERT_EQ(data.atoms.size(), 2u) << section;
     EXPECT_EQ(data.atoms.positions[1], Eigen::Vector3d(1, 2, 3)) << section;
     EXPECT_EQ(data.atoms.species[0], Species::carbon);
@@ -141,12 +144,13 @@ TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
 }
 
 TEST(ReadLammpsData, RenumbersIdsWithGaps) {
-  const LammpsData data =
-      read_back("title\n2 atoms\n1 atom types\n1 bonds\n" + masses +
-                "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
+  const auto [data, notes] =
+      file_of("title\n2 atoms\n1 atom types\n1 bonds\n" + masses +
+              "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
   ASSERT_EQ(data.bonds.size(), 1u);
-  EXPECT_EQ(data.bonds[0], (std::array<int, 2>{1, 0}));
-  EXPECT_EQ(data.notes.size(), 1u);
+  EXPECT_EQ(data.bonds[0].first, 1u);
+  EXPECT_EQ(data.bonds[0].second, 0u);
+  EXPECT_EQ(notes.size(), 1u);
 }
 
 TEST(ReadLammpsData, ReadsGzip) {
@@ -156,7 +160,7 @@ TEST(ReadLammpsData, ReadsGzip) {
   gzFile file = gzopen(path.c_str(), "wb");
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
   gzclose(file);
-  EXPECT_EQ(read_lammps_data(path).atoms.size(), 20u);
+  EXPECT_EQ(read_lammps_data(path).structure.atoms.size(), 20u);
 
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   EXPECT_THROW(static_cast<void>(read_lammps_data(path)), FileError);

@@ -7,7 +7,7 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/padded_box.h"
 
 namespace trivalent::dual {
 namespace {
@@ -15,9 +15,10 @@ namespace {
 using testing_support::content_of;
 using testing_support::TemporaryFolder;
 
-LammpsData c20() {
-  const Network network = build_dual(testing_support::icosahedron());
-  return {.atoms = carbon_atoms(network), .bonds = network.bonds};
+Structure c20() {
+  Structure structure = build_dual(testing_support::icosahedron());
+  structure.atoms.box = padded_box(structure.atoms.positions);
+  return structure;
 }
 
 TEST(LammpsPackage, WritesEveryFileItNames) {
@@ -32,12 +33,12 @@ TEST(LammpsPackage, WritesEveryFileItNames) {
 
 TEST(LammpsPackage, CompressedDataIsTheSameData) {
   const TemporaryFolder folder;
-  const LammpsData data = c20();
+  const Structure data = c20();
   const auto names =
       write_lammps_package(folder.path(), data, -1.0, {.compression = Compression::gzip});
   ASSERT_EQ(names.front(), "shell.data.gz");
   EXPECT_EQ(content_of(folder.path() / names.front()).substr(0, 2), "\x1f\x8b");
-  const LammpsData back = read_lammps_data(folder.path() / names.front());
+  const Structure back = read_lammps_data(folder.path() / names.front()).structure;
   ASSERT_EQ(back.atoms.size(), data.atoms.size());
   for (std::size_t i = 0; i < data.atoms.size(); ++i) {
     EXPECT_LT((back.atoms.positions[i] - data.atoms.positions[i]).norm(), 1e-9);
@@ -46,7 +47,7 @@ TEST(LammpsPackage, CompressedDataIsTheSameData) {
 
 TEST(LammpsPackage, PartsHoldEveryAtomOnce) {
   const TemporaryFolder folder;
-  const LammpsData data = c20();
+  const Structure data = c20();
   (void)write_lammps_package(folder.path(), data, -1.0);
   (void)write_lammps_package(folder.path(), data, -1.0, {.name = "part", .atoms_per_file = 7});
   const auto rows = [&](const std::string& name) {

@@ -13,6 +13,11 @@ using testing_support::flat_sheet;
 using testing_support::icosahedron;
 using testing_support::torus;
 
+potentials::Atoms carbon_at(std::vector<Eigen::Vector3d> positions) {
+  const std::vector species(positions.size(), potentials::Species::carbon);
+  return {.positions = std::move(positions), .species = species, .box = {}};
+}
+
 TEST(CheckNetwork, FindsSixTimesTheEulerCharacteristicOnASphere) {
   const NetworkReport report = check_network(build_dual(icosahedron()));
   EXPECT_EQ(report.ring_excess, 6 * 2);
@@ -30,8 +35,8 @@ TEST(CheckNetwork, FindsSixTimesTheEulerCharacteristicOnATorus) {
 }
 
 TEST(CheckNetwork, MeasuresBondLengths) {
-  const Network network = {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 3, 0}},
-                           .bonds = {{0, 1}, {1, 2}}};
+  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}, {1, 3, 0}}),
+                             .bonds = {{0, 1}, {1, 2}}};
   const NetworkReport report = check_network(network);
   EXPECT_EQ(report.bond_mean, 2.0);
   EXPECT_EQ(report.bond_spread, 1.0);
@@ -40,18 +45,28 @@ TEST(CheckNetwork, MeasuresBondLengths) {
   EXPECT_EQ(report.coordinations, (std::map<int, int>{{1, 2}, {2, 1}}));
 }
 
+TEST(CheckNetwork, MeasuresBondsAcrossPeriodicBoundaries) {
+  Structure network = {.atoms = carbon_at({{0, 0, 0}, {4, 0, 0}}), .bonds = {{0, 1, {-1, 0, 0}}}};
+  network.atoms.box.cell.diagonal() = Eigen::Vector3d(5, 5, 5);
+  network.atoms.box.periodic = {true, true, true};
+  EXPECT_EQ(check_network(network).bond_max, 1.0);
+  // A bond to the atom's own image is one.
+  network.bonds = {{0, 0, {1, 0, 0}}};
+  EXPECT_EQ(check_network(network).bond_max, 5.0);
+}
+
 TEST(CheckNetwork, ThrowsOnABondToAMissingAtom) {
-  const Network network = {.positions = {{0, 0, 0}, {1, 0, 0}}, .bonds = {{0, 2}}};
+  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}}), .bonds = {{0, 2}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
 TEST(CheckNetwork, ThrowsOnABondOfAnAtomToItself) {
-  const Network network = {.positions = {{0, 0, 0}, {1, 0, 0}}, .bonds = {{1, 1}}};
+  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}}), .bonds = {{1, 1}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
 TEST(CheckNetwork, ThrowsOnARingWithAMissingAtom) {
-  const Network network = {.positions = {{0, 0, 0}}, .rings = {{0, -1, 0}}};
+  const Structure network = {.atoms = carbon_at({{0, 0, 0}}), .rings = {{{0, -1, 0}}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
@@ -68,8 +83,8 @@ TEST(RingSizesAtAtoms, LeavesZerosWhereTheEdgeCutsRings) {
 }
 
 TEST(RingSizesAtAtoms, ThrowsOnAnAtomInFourRings) {
-  const Network network = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                           .rings = {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}, {0, 1, 2}}};
+  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                             .rings = std::vector(4, Ring{{0, 1, 2}})};
   EXPECT_THROW(static_cast<void>(ring_sizes_at_atoms(network)), InvalidNetwork);
 }
 

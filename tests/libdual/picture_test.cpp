@@ -16,9 +16,9 @@ namespace {
 ShellState shell_with_energies(double low, double high) {
   remesh::TriMesh mesh = testing_support::icosahedron();
   remesh::scale(mesh, scale_for_size(mesh, MeanBond{1.42}));
-  ShellState state = network_state("C20", build_dual(mesh));
+  ShellState state = shell_state("C20", build_dual(mesh));
   std::vector<double> energies;
-  for (const Eigen::Vector3d& position : state.atoms.positions) {
+  for (const Eigen::Vector3d& position : state.structure.atoms.positions) {
     energies.push_back(position.x() < 0.0 ? low : high);
   }
   add_energies(state, energies, -7.0);

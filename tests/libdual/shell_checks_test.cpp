@@ -4,7 +4,6 @@
 
 #include "small_meshes.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
 #include "trivalent/dual/dual_size.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/dual/hydrogen.h"
@@ -13,13 +12,13 @@ namespace trivalent::dual {
 namespace {
 
 ShellReport check(const potentials::Atoms& atoms) {
-  const Bonding bonding = find_bonding(atoms);
+  const Bonding bonding = bonding_of(atoms, find_bonds(atoms));
   return check_shell(atoms, bonding, find_rings(bonding));
 }
 
 potentials::Atoms dual_atoms(remesh::TriMesh mesh) {
   remesh::scale(mesh, scale_for_size(mesh, MeanBond{1.42}));
-  return carbon_atoms(build_dual(mesh));
+  return build_dual(mesh).atoms;
 }
 
 TEST(CheckShell, KnowsTheDodecahedron) {
@@ -40,9 +39,9 @@ TEST(CheckShell, KnowsTheDodecahedron) {
 
 TEST(CheckShell, KnowsTheEulerCharacteristicOfATorus) {
   // The bonds are those of the mesh: too long and too short for carbon.
-  const Network network = build_dual(testing_support::torus(24, 9));
+  const Structure network = build_dual(testing_support::torus(24, 9));
   const Bonding bonding = bonding_of(network);
-  const ShellReport report = check_shell(carbon_atoms(network), bonding, find_rings(bonding));
+  const ShellReport report = check_shell(network.atoms, bonding, find_rings(bonding));
   EXPECT_TRUE(report.is_closed());
   EXPECT_EQ(report.euler_characteristic(), 0);
 }
@@ -56,8 +55,8 @@ TEST(CheckShell, SeesBondsAndRingsAcrossBoundaries) {
 }
 
 TEST(CheckShell, NamesAtomsWithoutThreeBonds) {
-  const Network sheet = build_dual(testing_support::flat_sheet(7, 5, 2.46));
-  const ShellReport report = check(carbon_atoms(sheet));
+  const Structure sheet = build_dual(testing_support::flat_sheet(7, 5, 2.46));
+  const ShellReport report = check(sheet.atoms);
   EXPECT_FALSE(report.is_closed());
   EXPECT_FALSE(report.odd_atoms.empty());
   const std::size_t n_odd = report.odd_atoms.size();
@@ -67,9 +66,9 @@ TEST(CheckShell, NamesAtomsWithoutThreeBonds) {
 }
 
 TEST(CheckShell, IsContentWithCappedEdges) {
-  Network sheet = build_dual(testing_support::flat_sheet(7, 5, 2.46));
+  Structure sheet = build_dual(testing_support::flat_sheet(7, 5, 2.46));
   static_cast<void>(cap_with_hydrogen(sheet));
-  const ShellReport report = check(carbon_atoms(sheet));
+  const ShellReport report = check(sheet.atoms);
   for (const int atom : report.odd_atoms) {
     // Only carbon that had a single bond may still lack one.
     EXPECT_LT(atom, static_cast<int>(sheet.positions.size()) - sheet.hydrogens);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view viewer = "<html><!--shell-data--></html>";
 
 ShellState small_state() {
-  ShellState state = network_state("C20", build_dual(testing_support::icosahedron()));
+  ShellState state = shell_state("C20", build_dual(testing_support::icosahedron()));
   add_energies(state, std::vector<double>(20, -6.0), -7.0);
   return state;
 }
@@ -137,16 +137,15 @@ TEST(WriteShellPage, KeepsTheOrderOfStatesAndTheScaleOfTheLast) {
 
 TEST(WriteShellPage, ShowsASampleOfManyAtomsAndTheWorst) {
   const std::size_t many = most_page_atoms + 500000;
-  ShellState state = {.name = "gas", .atoms = {}, .network = {}, .maps = {}};
+  ShellState state = {.name = "gas", .structure = {}, .maps = {}};
   std::vector<double> energies(many, -1.0);
   const std::size_t worst = 1000003;
   energies[worst] = 5.0;
   for (std::size_t i = 0; i < many; ++i) {
-    state.atoms.positions.emplace_back(static_cast<double>(i % 1000), static_cast<double>(i / 1000),
-                                       0);
+    state.structure.atoms.positions.emplace_back(static_cast<double>(i % 1000),
+                                                 static_cast<double>(i / 1000), 0);
   }
-  state.atoms.species.assign(many, potentials::Species::carbon);
-  state.network.positions = state.atoms.positions;
+  state.structure.atoms.species.assign(many, potentials::Species::carbon);
   add_energies(state, energies, 0.0);
   const std::string text = page_text({.title = "", .states = {state}});
   const auto sample = unpacked(text.substr(text.find("\"sample\":")));
@@ -160,7 +159,7 @@ TEST(WriteShellPage, ShowsASampleOfManyAtomsAndTheWorst) {
 TEST(WriteShellPage, ThrowsOnWhatCannotBeShown) {
   EXPECT_THROW(page_text({.title = "", .states = {}}), InvalidNetwork);
   ShellState broken = small_state();
-  broken.atoms.positions[3].x() = std::nan("");
+  broken.structure.atoms.positions[3].x() = std::nan("");
   EXPECT_THROW(page_text({.title = "", .states = {broken}}), InvalidNetwork);
   broken = small_state();
   broken.maps.front().values.pop_back();

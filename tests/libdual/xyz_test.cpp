@@ -9,7 +9,7 @@
 #include "small_meshes.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/carbon_atoms.h"
+#include "trivalent/dual/columns.h"
 
 namespace trivalent::dual {
 namespace {
@@ -18,8 +18,8 @@ using potentials::Species;
 using testing_support::message_of;
 using testing_support::TemporaryFolder;
 
-XyzFrame two_atoms() {
-  XyzFrame frame;
+Structure two_atoms() {
+  Structure frame;
   frame.atoms.positions = {{0.0, 0.1, -1.0 / 3.0}, {1.42, 0.0, 1e-7}};
   frame.atoms.species = {Species::carbon, Species::hydrogen};
   frame.columns = {
@@ -32,16 +32,18 @@ XyzFrame two_atoms() {
   return frame;
 }
 
-std::string text_of(const XyzFrame& frame, Digits digits = Digits::ten_decimals) {
+std::string text_of(const Structure& frame, Digits digits = Digits::ten_decimals) {
   std::ostringstream out;
   write_xyz(out, frame, digits);
   return out.str();
 }
 
-XyzFrame read_back(const std::string& text) {
+StructureFile file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_xyz(folder.file("atoms.extxyz", text));
 }
+
+Structure read_back(const std::string& text) { return file_of(text).structure; }
 
 std::string complaint_about(const std::string& text) {
   return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
@@ -65,8 +67,8 @@ TEST(WriteXyz, UsesTenDecimals) {
 }
 
 TEST(WriteXyz, KeepsEveryBitWithSeventeenDigits) {
-  const XyzFrame frame = two_atoms();
-  const XyzFrame copy = read_back(text_of(frame, Digits::seventeen_significant));
+  const Structure frame = two_atoms();
+  const auto [copy, notes] = file_of(text_of(frame, Digits::seventeen_significant));
   EXPECT_EQ(copy.atoms.positions, frame.atoms.positions);
   EXPECT_EQ(copy.atoms.species, frame.atoms.species);
   ASSERT_EQ(copy.columns.size(), frame.columns.size());
@@ -77,11 +79,11 @@ TEST(WriteXyz, KeepsEveryBitWithSeventeenDigits) {
   ASSERT_EQ(copy.header.size(), 2u);
   EXPECT_EQ(std::get<double>(copy.header[0].value), -7.1);
   EXPECT_EQ(std::get<std::string>(copy.header[1].value), "two \"atoms\" \\ x");
-  EXPECT_TRUE(copy.notes.empty());
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST(WriteXyz, PadsTheBoxOfACluster) {
-  const XyzFrame copy = read_back(text_of(two_atoms()));
+  const Structure copy = read_back(text_of(two_atoms()));
   EXPECT_FALSE(copy.atoms.box.is_periodic());
   const Eigen::Vector3d upper = copy.atoms.box.origin + copy.atoms.box.cell.diagonal();
   for (const Eigen::Vector3d& position : copy.atoms.positions) {
@@ -91,41 +93,41 @@ TEST(WriteXyz, PadsTheBoxOfACluster) {
 }
 
 TEST(WriteXyz, KeepsAPeriodicBox) {
-  XyzFrame frame = two_atoms();
+  Structure frame = two_atoms();
   frame.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
   frame.atoms.box.origin = {-1, -2, -3};
   frame.atoms.box.periodic = {true, false, true};
-  const XyzFrame copy = read_back(text_of(frame));
+  const Structure copy = read_back(text_of(frame));
   EXPECT_EQ(copy.atoms.box.cell, frame.atoms.box.cell);
   EXPECT_EQ(copy.atoms.box.origin, frame.atoms.box.origin);
   EXPECT_EQ(copy.atoms.box.periodic, frame.atoms.box.periodic);
 }
 
 TEST(WriteXyz, ThrowsOnACoordinateThatIsNotFinite) {
-  XyzFrame frame = two_atoms();
+  Structure frame = two_atoms();
   frame.atoms.positions[1].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnAColumnOfTheWrongLength) {
-  XyzFrame frame = two_atoms();
+  Structure frame = two_atoms();
   frame.columns[0].values = std::vector<double>{1.0};
   EXPECT_THROW(text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnMissingSpecies) {
-  XyzFrame frame = two_atoms();
+  Structure frame = two_atoms();
   frame.atoms.species.pop_back();
   EXPECT_THROW(text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnNamesThatAreTakenOrHaveBlanks) {
   for (const std::string name : {"pos", "energies", "two words", "", "a:b", "a=b"}) {
-    XyzFrame frame = two_atoms();
+    Structure frame = two_atoms();
     frame.columns.back().name = name;
     EXPECT_THROW(text_of(frame), InvalidOption) << name;
   }
-  XyzFrame frame = two_atoms();
+  Structure frame = two_atoms();
   frame.header.back().key = "Lattice";
   EXPECT_THROW(text_of(frame), InvalidOption);
 }
@@ -135,15 +137,15 @@ TEST(WriteXyz, ThrowsWhereNoFileCanBe) {
 }
 
 TEST(NetworkColumns, DescribeAShell) {
-  const Network network = build_dual(testing_support::icosahedron());
-  XyzFrame frame = {.atoms = carbon_atoms(network), .columns = network_columns(network)};
+  const Structure network = build_dual(testing_support::icosahedron());
+  const Structure frame = {.atoms = network.atoms, .columns = network_columns(network)};
   const std::string text = text_of(frame);
   EXPECT_NE(text.find("coordination:I:1:rings:I:3"), std::string::npos);
   EXPECT_NE(text.find(" 3 5 5 5\n"), std::string::npos);
 }
 
 TEST(ReadXyz, ReadsPlainXyzWithFurtherColumns) {
-  const XyzFrame frame = read_back("2\nany text, \"even this\nC 0 0 0 0.5\nH 1e0 +2 3. x y\n\n");
+  const Structure frame = read_back("2\nany text, \"even this\nC 0 0 0 0.5\nH 1e0 +2 3. x y\n\n");
   ASSERT_EQ(frame.atoms.size(), 2u);
   EXPECT_EQ(frame.atoms.positions[1], Eigen::Vector3d(1, 2, 3));
   EXPECT_FALSE(frame.atoms.box.is_periodic());
@@ -151,16 +153,16 @@ TEST(ReadXyz, ReadsPlainXyzWithFurtherColumns) {
 }
 
 TEST(ReadXyz, TakesALatticeWithoutPbcAsPeriodic) {
-  const XyzFrame frame = read_back("1\nLattice=\"2 0 0 0 3 0 0 0 4\"\r\nC 0 0 0\r\n");
+  const Structure frame = read_back("1\nLattice=\"2 0 0 0 3 0 0 0 4\"\r\nC 0 0 0\r\n");
   EXPECT_EQ(frame.atoms.box.periodic, (std::array<bool, 3>{true, true, true}));
   EXPECT_EQ(frame.atoms.box.cell.diagonal(), Eigen::Vector3d(2, 3, 4));
 }
 
 TEST(ReadXyz, NotesWhatItLeavesOut) {
-  const XyzFrame frame = read_back(
+  const auto [frame, notes] = file_of(
       "1\nProperties=id:I:1:species:S:1:pos:R:3:label:S:1:stress:R:9 flag key={1 2}\n"
       "7 C 0 0 0 abc 1 2 3 4 5 6 7 8 9\n1\n\nC 0 0 0\n");
-  EXPECT_EQ(frame.notes.size(), 3u);
+  EXPECT_EQ(notes.size(), 3u);
   ASSERT_EQ(frame.columns.size(), 1u);
   EXPECT_EQ(std::get<std::vector<int>>(frame.columns[0].values), std::vector<int>{7});
   ASSERT_EQ(frame.header.size(), 2u);

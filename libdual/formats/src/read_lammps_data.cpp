@@ -76,7 +76,7 @@ class DataReader {
  public:
   DataReader(std::string_view text, const TextSource& source) : lines_(text, source) {}
 
-  LammpsData read() {
+  StructureFile read() {
     lines_.skip_title();
     bool has_line = lines_.advance();
     for (; has_line && !lines_.is_section_name(); has_line = lines_.advance()) read_header_line();
@@ -98,7 +98,7 @@ class DataReader {
   void choose_columns(std::string_view hint);
   [[nodiscard]] potentials::Box box() const;
   [[nodiscard]] Species species_of(const AtomRow& atom) const;
-  [[nodiscard]] LammpsData assemble();
+  [[nodiscard]] StructureFile assemble();
   [[nodiscard]] int index_of(std::int64_t id, const BondRow& bond) const;
 
   DataLines lines_;
@@ -279,7 +279,7 @@ int DataReader::index_of(std::int64_t id, const BondRow& bond) const {
   return static_cast<int>(found - atoms_.begin());
 }
 
-LammpsData DataReader::assemble() {
+StructureFile DataReader::assemble() {
   const LineReader& reader = lines_.reader();
   if (static_cast<std::int64_t>(atoms_.size()) != counts_.at("atoms")) {
     reader.fail("the file has no section Atoms");
@@ -289,28 +289,31 @@ LammpsData DataReader::assemble() {
   }
   std::sort(atoms_.begin(), atoms_.end(),
             [](const AtomRow& a, const AtomRow& b) { return a.id < b.id; });
-  LammpsData data = {.atoms = {}, .bonds = {}, .notes = std::move(notes_)};
-  data.atoms.box = box();
+  StructureFile file = {.notes = std::move(notes_)};
+  potentials::Atoms& atoms = file.structure.atoms;
+  atoms.box = box();
   for (std::size_t i = 0; i < atoms_.size(); ++i) {
     if (i > 0 && atoms_[i].id == atoms_[i - 1].id) {
       reader.fail_at(std::max(atoms_[i].line, atoms_[i - 1].line), "atom ", atoms_[i].id,
                      " appears a second time");
     }
-    data.atoms.positions.push_back(atoms_[i].position);
-    data.atoms.species.push_back(species_of(atoms_[i]));
+    atoms.positions.push_back(atoms_[i].position);
+    atoms.species.push_back(species_of(atoms_[i]));
   }
+  std::vector<std::array<int, 2>> pairs;
   for (const BondRow& bond : bonds_) {
-    data.bonds.push_back({index_of(bond.ids[0], bond), index_of(bond.ids[1], bond)});
+    pairs.push_back({index_of(bond.ids[0], bond), index_of(bond.ids[1], bond)});
   }
+  file.structure.bonds = potentials::bonds_between(atoms, pairs);
   const bool has_gaps =
       !atoms_.empty() && atoms_.back().id != static_cast<std::int64_t>(atoms_.size());
-  if (has_gaps) data.notes.push_back("atom ids have gaps; atoms are renumbered in their order");
-  return data;
+  if (has_gaps) file.notes.push_back("atom ids have gaps; atoms are renumbered in their order");
+  return file;
 }
 
 }  // namespace
 
-LammpsData read_lammps_data(const std::filesystem::path& path) {
+StructureFile read_lammps_data(const std::filesystem::path& path) {
   const TextSource source = {.reader = "read_lammps_data", .path = path};
   const std::string text = read_text(source);
   return DataReader(text, source).read();

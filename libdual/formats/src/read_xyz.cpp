@@ -225,17 +225,18 @@ class RowReader {
 };
 
 void read_row(const Layout& layout, const LineReader& lines,
-              const std::vector<std::string_view>& fields, XyzFrame& frame) {
+              const std::vector<std::string_view>& fields, Structure& structure) {
   const RowReader row(lines, fields);
   std::size_t column = 0;
   for (const Property& property : layout.properties) {
     const std::size_t first = property.first_field;
     if (property.role == Role::species) {
-      frame.atoms.species.push_back(parse_species(fields[first], lines));
+      structure.atoms.species.push_back(parse_species(fields[first], lines));
     } else if (property.role == Role::position) {
-      frame.atoms.positions.push_back(row.vector(first));
+      structure.atoms.positions.push_back(row.vector(first));
     } else if (property.role == Role::column) {
-      std::visit([&](auto& values) { row.append(values, first); }, frame.columns[column++].values);
+      std::visit([&](auto& values) { row.append(values, first); },
+                 structure.columns[column++].values);
     }
   }
 }
@@ -255,10 +256,11 @@ void check_room(const LineReader& lines, const Layout& layout, std::int64_t n_at
              " bytes follow; it is cut short or the count is wrong");
 }
 
-void read_rows(LineReader& lines, const Layout& layout, std::int64_t n_atoms, XyzFrame& frame) {
-  frame.columns = layout.columns;
-  frame.atoms.positions.reserve(static_cast<std::size_t>(n_atoms));
-  frame.atoms.species.reserve(static_cast<std::size_t>(n_atoms));
+void read_rows(LineReader& lines, const Layout& layout, std::int64_t n_atoms,
+               Structure& structure) {
+  structure.columns = layout.columns;
+  structure.atoms.positions.reserve(static_cast<std::size_t>(n_atoms));
+  structure.atoms.species.reserve(static_cast<std::size_t>(n_atoms));
   std::vector<std::string_view> fields;
   for (std::int64_t i = 0; i < n_atoms; ++i) {
     split_fields(lines.require(concat("atom ", i + 1, " of ", n_atoms)), fields);
@@ -267,7 +269,7 @@ void read_rows(LineReader& lines, const Layout& layout, std::int64_t n_atoms, Xy
     if (!has_right_number) {
       lines.fail("expected ", layout.n_fields, " fields for an atom, found ", fields.size());
     }
-    read_row(layout, lines, fields, frame);
+    read_row(layout, lines, fields, structure);
   }
 }
 
@@ -286,17 +288,17 @@ std::vector<HeaderEntry> other_entries(const std::vector<TextEntry>& header) {
   return entries;
 }
 
-void note_what_follows(LineReader& lines, XyzFrame& frame) {
+void note_what_follows(LineReader& lines, std::vector<std::string>& notes) {
   while (const auto line = lines.next()) {
     if (line->find_first_not_of(" \t") == std::string_view::npos) continue;
-    frame.notes.push_back("further structures follow the first and are not read");
+    notes.push_back("further structures follow the first and are not read");
     return;
   }
 }
 
 }  // namespace
 
-XyzFrame read_xyz(const std::filesystem::path& path) {
+StructureFile read_xyz(const std::filesystem::path& path) {
   const TextSource source = {.reader = "read_xyz", .path = path};
   const std::string text = read_text(source);
   LineReader lines(text, source);
@@ -310,12 +312,12 @@ XyzFrame read_xyz(const std::filesystem::path& path) {
   const auto properties = find_entry(header, "Properties");
   Layout layout = parse_layout(properties.value_or("species:S:1:pos:R:3"), lines);
   layout.may_have_more = !properties;
-  XyzFrame frame = {.atoms = {}, .header = other_entries(header), .notes = layout.notes};
-  frame.atoms.box = parse_box(header, lines);
+  StructureFile file = {.structure = {.header = other_entries(header)}, .notes = layout.notes};
+  file.structure.atoms.box = parse_box(header, lines);
   check_room(lines, layout, n_atoms);
-  read_rows(lines, layout, n_atoms, frame);
-  note_what_follows(lines, frame);
-  return frame;
+  read_rows(lines, layout, n_atoms, file.structure);
+  note_what_follows(lines, file.notes);
+  return file;
 }
 
 }  // namespace trivalent::dual

@@ -4,6 +4,8 @@
 
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/remesh/whole_file.h"
@@ -16,8 +18,8 @@ using potentials::Box;
 
 int type_of(potentials::Species species) { return species == potentials::Species::carbon ? 1 : 2; }
 
-bool writes_bonds(const LammpsData& data, const LammpsDataOptions& options) {
-  return options.style == AtomStyle::molecular && !data.bonds.empty();
+bool writes_bonds(const Structure& structure, const LammpsDataOptions& options) {
+  return options.style == AtomStyle::molecular && !structure.bonds.empty();
 }
 
 void check_box(const Box& box) {
@@ -39,20 +41,11 @@ void check_box(const Box& box) {
   }
 }
 
-void check_bonds(const LammpsData& data) {
-  const int n_atoms = static_cast<int>(data.atoms.size());
-  for (const auto& [first, second] : data.bonds) {
-    if (std::min(first, second) >= 0 && std::max(first, second) < n_atoms) continue;
-    throw InvalidNetwork(concat("write_lammps_data: a bond joins atoms ", first, " and ", second,
-                                "; there are the atoms 0 to ", n_atoms - 1));
-  }
-}
-
-void check_part(const LammpsData& data, const LammpsDataOptions& options) {
+void check_part(const Structure& structure, const LammpsDataOptions& options) {
   if (!options.part) return;
-  if (options.part->begin > options.part->end || options.part->end > data.atoms.size()) {
+  if (options.part->begin > options.part->end || options.part->end > structure.atoms.size()) {
     throw InvalidOption(concat("write_lammps_data: the part ", options.part->begin, " to ",
-                               options.part->end, " is not within the ", data.atoms.size(),
+                               options.part->end, " is not within the ", structure.atoms.size(),
                                " atoms"));
   }
   if (options.style == AtomStyle::molecular) {
@@ -61,16 +54,16 @@ void check_part(const LammpsData& data, const LammpsDataOptions& options) {
   }
 }
 
-AtomRange part_of(const LammpsData& data, const LammpsDataOptions& options) {
-  return options.part.value_or(AtomRange{0, data.atoms.size()});
+AtomRange part_of(const Structure& structure, const LammpsDataOptions& options) {
+  return options.part.value_or(AtomRange{0, structure.atoms.size()});
 }
 
 // All pairs of bonds at an atom, with the atom in the middle; ordered by that atom.
-std::vector<std::array<int, 3>> angles_of(const LammpsData& data) {
-  std::vector<std::vector<int>> neighbors(data.atoms.size());
-  for (const auto& [first, second] : data.bonds) {
-    neighbors[static_cast<std::size_t>(first)].push_back(second);
-    neighbors[static_cast<std::size_t>(second)].push_back(first);
+std::vector<std::array<int, 3>> angles_of(const Structure& structure) {
+  std::vector<std::vector<int>> neighbors(structure.atoms.size());
+  for (const potentials::Bond& bond : structure.bonds) {
+    neighbors[bond.first].push_back(static_cast<int>(bond.second));
+    neighbors[bond.second].push_back(static_cast<int>(bond.first));
   }
   std::vector<std::array<int, 3>> angles;
   for (std::size_t middle = 0; middle < neighbors.size(); ++middle) {
@@ -90,15 +83,15 @@ void check_title(const std::string& title) {
   throw InvalidOption("write_lammps_data: the title must be one line of at most 200 characters");
 }
 
-void write_counts(std::ostream& out, const LammpsData& data, const LammpsDataOptions& options,
+void write_counts(std::ostream& out, const Structure& structure, const LammpsDataOptions& options,
                   std::size_t n_angles) {
-  const auto [begin, end] = part_of(data, options);
+  const auto [begin, end] = part_of(structure, options);
   out << "LAMMPS data file: " << options.title << "\n\n";
   out << end - begin << " atoms\n";
-  if (writes_bonds(data, options)) out << data.bonds.size() << " bonds\n";
+  if (writes_bonds(structure, options)) out << structure.bonds.size() << " bonds\n";
   if (n_angles > 0) out << n_angles << " angles\n";
-  out << (has_hydrogen(data.atoms) ? 2 : 1) << " atom types\n";
-  if (writes_bonds(data, options)) out << "1 bond types\n";
+  out << (has_hydrogen(structure.atoms) ? 2 : 1) << " atom types\n";
+  if (writes_bonds(structure, options)) out << "1 bond types\n";
   if (n_angles > 0) out << "1 angle types\n";
   out << '\n';
 }
@@ -134,12 +127,12 @@ void write_masses(std::ostream& out, const Atoms& atoms) {
   out << '\n';
 }
 
-void write_atoms(std::ostream& out, const LammpsData& data, const LammpsDataOptions& options) {
-  const Atoms& atoms = data.atoms;
+void write_atoms(std::ostream& out, const Structure& structure, const LammpsDataOptions& options) {
+  const Atoms& atoms = structure.atoms;
   const bool is_molecular = options.style == AtomStyle::molecular;
   out << "Atoms # " << (is_molecular ? "molecular" : "atomic") << "\n\n";
   std::string line;
-  const auto [begin, end] = part_of(data, options);
+  const auto [begin, end] = part_of(structure, options);
   for (std::size_t i = begin; i < end; ++i) {
     line.clear();
     append_integer(line, static_cast<std::int64_t>(i) + 1);
@@ -153,6 +146,14 @@ void write_atoms(std::ostream& out, const LammpsData& data, const LammpsDataOpti
     line += '\n';
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
   }
+}
+
+std::vector<std::array<int, 2>> pairs_of(const std::vector<potentials::Bond>& bonds) {
+  std::vector<std::array<int, 2>> pairs;
+  for (const potentials::Bond& bond : bonds) {
+    pairs.push_back({static_cast<int>(bond.first), static_cast<int>(bond.second)});
+  }
+  return pairs;
 }
 
 // Bonds or angles, all of type 1.
@@ -183,28 +184,29 @@ void require_lammps_ids(std::uint64_t atoms) {
                               most_lammps_atoms, "; make the shell smaller"));
 }
 
-void write_lammps_data(std::ostream& out, const LammpsData& data,
+void write_lammps_data(std::ostream& out, const Structure& structure,
                        const LammpsDataOptions& options) {
-  require_lammps_ids(data.atoms.size());
-  const Box box = box_to_write(data.atoms);
-  check_atoms("write_lammps_data", data.atoms);
-  check_bonds(data);
+  require_lammps_ids(structure.atoms.size());
+  const Box box = box_to_write(structure.atoms);
+  check_atoms("write_lammps_data", structure.atoms);
+  check_bonds(structure.atoms, structure.bonds);
   check_box(box);
   check_title(options.title);
-  check_part(data, options);
-  const bool has_angles = options.angles && writes_bonds(data, options);
-  const auto angles = has_angles ? angles_of(data) : std::vector<std::array<int, 3>>{};
-  write_counts(out, data, options, angles.size());
+  check_part(structure, options);
+  const bool has_angles = options.angles && writes_bonds(structure, options);
+  const auto angles = has_angles ? angles_of(structure) : std::vector<std::array<int, 3>>{};
+  write_counts(out, structure, options, angles.size());
   write_box(out, box);
-  write_masses(out, data.atoms);
-  write_atoms(out, data, options);
-  if (writes_bonds(data, options)) write_groups(out, "Bonds", data.bonds);
+  write_masses(out, structure.atoms);
+  write_atoms(out, structure, options);
+  if (writes_bonds(structure, options)) write_groups(out, "Bonds", pairs_of(structure.bonds));
   if (!angles.empty()) write_groups(out, "Angles", angles);
 }
 
-void write_lammps_data(const std::filesystem::path& path, const LammpsData& data,
+void write_lammps_data(const std::filesystem::path& path, const Structure& structure,
                        const LammpsDataOptions& options) {
-  remesh::write_whole_file(path, [&](std::ostream& out) { write_lammps_data(out, data, options); });
+  remesh::write_whole_file(path,
+                           [&](std::ostream& out) { write_lammps_data(out, structure, options); });
 }
 
 }  // namespace trivalent::dual

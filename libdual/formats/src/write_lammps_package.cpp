@@ -11,26 +11,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_data_file(const fs::path& path, const LammpsData& data, const LammpsDataOptions& options,
-                     Compression compression) {
+void write_data_file(const fs::path& path, const Structure& structure,
+                     const LammpsDataOptions& options, Compression compression) {
   if (compression == Compression::none) {
-    write_lammps_data(path, data, options);
+    write_lammps_data(path, structure, options);
     return;
   }
   remesh::write_whole_file(path, [&](std::ostream& file) {
     GzipBuffer buffer(file);
     std::ostream out(&buffer);
-    write_lammps_data(out, data, options);
+    write_lammps_data(out, structure, options);
     buffer.finish();
   });
 }
 
-std::vector<std::string> write_data_files(const fs::path& folder, const LammpsData& data,
+std::vector<std::string> write_data_files(const fs::path& folder, const Structure& structure,
                                           const LammpsPackageOptions& options) {
-  const std::size_t n_atoms = data.atoms.size();
+  const std::size_t n_atoms = structure.atoms.size();
   const std::string extension = options.compression == Compression::gzip ? ".data.gz" : ".data";
   if (n_atoms <= options.atoms_per_file) {
-    write_data_file(folder / (options.name + extension), data, options.data, options.compression);
+    write_data_file(folder / (options.name + extension), structure, options.data,
+                    options.compression);
     return {options.name + extension};
   }
   std::vector<std::string> names;
@@ -38,7 +39,7 @@ std::vector<std::string> write_data_files(const fs::path& folder, const LammpsDa
     LammpsDataOptions part = options.data;
     part.part = AtomRange{begin, std::min(begin + options.atoms_per_file, n_atoms)};
     names.push_back(concat(options.name, '.', names.size() + 1, extension));
-    write_data_file(folder / names.back(), data, part, options.compression);
+    write_data_file(folder / names.back(), structure, part, options.compression);
   }
   return names;
 }
@@ -83,17 +84,17 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, std::size_t 
 
 }  // namespace
 
-std::vector<std::string> write_lammps_package(const fs::path& folder, const LammpsData& data,
+std::vector<std::string> write_lammps_package(const fs::path& folder, const Structure& structure,
                                               double energy, const LammpsPackageOptions& options) {
   if (options.atoms_per_file == 0) {
     throw InvalidOption("write_lammps_package: atoms_per_file is 0; it must be >= 1");
   }
-  std::vector<std::string> names = write_data_files(folder, data, options);
+  std::vector<std::string> names = write_data_files(folder, structure, options);
   const LammpsDeckOptions deck = {.data_files = names,
                                   .style = options.data.style,
                                   .angles = options.data.angles,
-                                  .periodic = data.atoms.box.periodic,
-                                  .has_hydrogen = has_hydrogen(data.atoms),
+                                  .periodic = structure.atoms.box.periodic,
+                                  .has_hydrogen = has_hydrogen(structure.atoms),
                                   .potential_file = options.potential_file,
                                   .expected_energy = energy};
   const auto write = [&](const std::string& name, const auto& contents) {
@@ -103,7 +104,7 @@ std::vector<std::string> write_lammps_package(const fs::path& folder, const Lamm
   write("in.check", [&](std::ostream& out) { write_lammps_check(out, deck); });
   write("in.relax", [&](std::ostream& out) { write_lammps_relaxation(out, deck); });
   write("in.md", [&](std::ostream& out) { write_lammps_dynamics(out, deck); });
-  write("README.md", [&](std::ostream& out) { write_readme(out, deck, data.atoms.size()); });
+  write("README.md", [&](std::ostream& out) { write_readme(out, deck, structure.atoms.size()); });
   return names;
 }
 

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "trivalent/dual/check_atoms.h"
-#include "trivalent/dual/network_checks.h"
+#include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/formats/xyz.h"
 #include "trivalent/remesh/whole_file.h"
@@ -27,31 +27,31 @@ Shape shape_of(const Column& column) {
   return shapes[column.values.index()];
 }
 
-void check_names(const XyzFrame& frame) {
+void check_names(const Structure& structure) {
   std::set<std::string> taken = {"species", "pos"};
-  for (const Column& column : frame.columns) {
+  for (const Column& column : structure.columns) {
     if (!is_xyz_name(column.name) || !taken.insert(column.name).second) {
       throw InvalidOption(
           concat("write_xyz: ", quoted(column.name), " is no free name for a column"));
     }
   }
   taken = {"Lattice", "Origin", "Properties", "pbc"};
-  for (const HeaderEntry& entry : frame.header) {
+  for (const HeaderEntry& entry : structure.header) {
     if (!is_xyz_name(entry.key) || !taken.insert(entry.key).second) {
       throw InvalidOption(concat("write_xyz: ", quoted(entry.key), " is no free name for a key"));
     }
   }
 }
 
-void check_frame(const XyzFrame& frame) {
-  check_atoms("write_xyz", frame.atoms);
-  check_names(frame);
-  for (const Column& column : frame.columns) {
+void check_structure(const Structure& structure) {
+  check_atoms("write_xyz", structure.atoms);
+  check_names(structure);
+  for (const Column& column : structure.columns) {
     const std::size_t size =
         std::visit([](const auto& values) { return values.size(); }, column.values);
-    if (size == frame.atoms.size()) continue;
+    if (size == structure.atoms.size()) continue;
     throw InvalidNetwork(concat("write_xyz: column ", column.name, " has ", size, " values for ",
-                                frame.atoms.size(), " atoms"));
+                                structure.atoms.size(), " atoms"));
   }
 }
 
@@ -91,15 +91,15 @@ void append_properties(std::string& line, const std::vector<Column>& columns) {
   }
 }
 
-void write_header(std::ostream& out, const XyzFrame& frame) {
-  const potentials::Box box = box_to_write(frame.atoms);
+void write_header(std::ostream& out, const Structure& structure) {
+  const potentials::Box box = box_to_write(structure.atoms);
   std::string line;
   append_box(line, box);
-  append_properties(line, frame.columns);
+  append_properties(line, structure.columns);
   line += " pbc=\"";
   for (int i = 0; i < 3; ++i) line += concat(i > 0 ? " " : "", box.periodic[i] ? 'T' : 'F');
   line += '"';
-  for (const HeaderEntry& entry : frame.header) {
+  for (const HeaderEntry& entry : structure.header) {
     line += concat(' ', entry.key, '=');
     if (const double* number = std::get_if<double>(&entry.value)) {
       append_real(line, *number, Digits::seventeen_significant);
@@ -107,7 +107,7 @@ void write_header(std::ostream& out, const XyzFrame& frame) {
       append_text(line, std::get<std::string>(entry.value));
     }
   }
-  out << frame.atoms.size() << '\n' << line << '\n';
+  out << structure.atoms.size() << '\n' << line << '\n';
 }
 
 void append_value(std::string& line, double value, Digits digits) {
@@ -124,14 +124,14 @@ void append_value(std::string& line, const std::array<int, 3>& value, Digits) {
   }
 }
 
-void write_rows(std::ostream& out, const XyzFrame& frame, Digits digits) {
+void write_rows(std::ostream& out, const Structure& structure, Digits digits) {
   std::string line;
-  for (std::size_t i = 0; i < frame.atoms.size(); ++i) {
+  for (std::size_t i = 0; i < structure.atoms.size(); ++i) {
     line.clear();
-    line += symbol(frame.atoms.species[i]);
+    line += symbol(structure.atoms.species[i]);
     line += ' ';
-    append_vector(line, frame.atoms.positions[i], digits);
-    for (const Column& column : frame.columns) {
+    append_vector(line, structure.atoms.positions[i], digits);
+    for (const Column& column : structure.columns) {
       line += ' ';
       std::visit([&](const auto& values) { append_value(line, values[i], digits); }, column.values);
     }
@@ -142,24 +142,14 @@ void write_rows(std::ostream& out, const XyzFrame& frame, Digits digits) {
 
 }  // namespace
 
-std::vector<Column> network_columns(const Network& network) {
-  return {{.name = "coordination", .values = coordinations(network)},
-          {.name = "rings", .values = ring_sizes_at_atoms(network)}};
+void write_xyz(std::ostream& out, const Structure& structure, Digits digits) {
+  check_structure(structure);
+  write_header(out, structure);
+  write_rows(out, structure, digits);
 }
 
-std::vector<Column> energy_columns(const potentials::EnergyForces& result) {
-  return {{.name = "energies", .values = result.energies},
-          {.name = "forces", .values = result.forces}};
-}
-
-void write_xyz(std::ostream& out, const XyzFrame& frame, Digits digits) {
-  check_frame(frame);
-  write_header(out, frame);
-  write_rows(out, frame, digits);
-}
-
-void write_xyz(const std::filesystem::path& path, const XyzFrame& frame, Digits digits) {
-  remesh::write_whole_file(path, [&](std::ostream& out) { write_xyz(out, frame, digits); });
+void write_xyz(const std::filesystem::path& path, const Structure& structure, Digits digits) {
+  remesh::write_whole_file(path, [&](std::ostream& out) { write_xyz(out, structure, digits); });
 }
 
 }  // namespace trivalent::dual

@@ -7,40 +7,35 @@
 #include "trivalent/potentials/neighbor_list.h"
 
 namespace trivalent::dual {
-namespace {
-
+using potentials::Bond;
 using potentials::Species;
 
-bool is_home(const BondEnd& end) { return end.image == std::array<int, 3>{0, 0, 0}; }
-
-}  // namespace
-
-Bonding bonding_of(const Network& network) {
-  static_cast<void>(check_network(network));
-  Bonding bonding(network.positions.size());
-  for (const auto& [first, second] : network.bonds) {
-    const Eigen::Vector3d separation = network.positions[second] - network.positions[first];
-    bonding[first].push_back({.atom = second, .separation = separation});
-    bonding[second].push_back({.atom = first, .separation = -separation});
+Bonding bonding_of(const potentials::Atoms& atoms, std::span<const Bond> bonds) {
+  check_bonds(atoms, bonds);
+  Bonding bonding(atoms.size());
+  for (const auto& [first, second, image] : bonds) {
+    const Eigen::Vector3d separation = bond_vector(atoms, {first, second, image});
+    const std::array<std::int32_t, 3> back = {-image[0], -image[1], -image[2]};
+    bonding[first].push_back(
+        {.atom = static_cast<int>(second), .image = image, .separation = separation});
+    bonding[second].push_back(
+        {.atom = static_cast<int>(first), .image = back, .separation = -separation});
   }
   return bonding;
 }
 
-Bonding find_bonding(const potentials::Atoms& atoms) {
+Bonding bonding_of(const Structure& structure) {
+  return bonding_of(structure.atoms, structure.bonds);
+}
+
+std::vector<Bond> find_bonds(const potentials::Atoms& atoms) {
   const double widest = potentials::max_bond_length(Species::carbon, Species::carbon);
-  const potentials::NeighborList neighbors(atoms, widest);
-  Bonding bonding(atoms.size());
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    for (const potentials::Neighbor& neighbor : neighbors[i]) {
-      if (neighbor.distance >=
-          potentials::max_bond_length(atoms.species[i], atoms.species[neighbor.atom]))
-        continue;
-      bonding[i].push_back({.atom = static_cast<int>(neighbor.atom),
-                            .image = {neighbor.image[0], neighbor.image[1], neighbor.image[2]},
-                            .separation = neighbor.separation});
-    }
-  }
-  return bonding;
+  std::vector<Bond> bonds = potentials::bonds_within(atoms, widest);
+  std::erase_if(bonds, [&](const Bond& bond) {
+    return potentials::bond_length(atoms, bond) >=
+           potentials::max_bond_length(atoms.species[bond.first], atoms.species[bond.second]);
+  });
+  return bonds;
 }
 
 std::vector<int> coordinations(const Bonding& bonding) {
@@ -50,19 +45,9 @@ std::vector<int> coordinations(const Bonding& bonding) {
   return counts;
 }
 
-Network drawable_network(const potentials::Atoms& atoms, const Bonding& bonding,
-                         const std::vector<Ring>& rings) {
-  Network network = {.positions = atoms.positions};
-  for (std::size_t i = 0; i < bonding.size(); ++i) {
-    for (const BondEnd& end : bonding[i]) {
-      const int atom = static_cast<int>(i);
-      if (is_home(end) && atom < end.atom) network.bonds.push_back({atom, end.atom});
-    }
-  }
-  for (const Ring& ring : rings) {
-    if (!ring.crosses_boundary) network.rings.push_back(ring.atoms);
-  }
-  return network;
+void add_missing_network(Structure& structure) {
+  if (structure.bonds.empty()) structure.bonds = find_bonds(structure.atoms);
+  if (structure.rings.empty()) structure.rings = find_rings(bonding_of(structure));
 }
 
 }  // namespace trivalent::dual

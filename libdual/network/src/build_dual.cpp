@@ -15,28 +15,28 @@ std::vector<Eigen::Vector3d> centroids(const remesh::TriMesh& mesh) {
   return positions;
 }
 
-std::vector<std::array<int, 2>> bonds_across_edges(const remesh::TriMesh& mesh) {
-  std::vector<std::array<int, 2>> bonds;
+std::vector<potentials::Bond> bonds_across_edges(const remesh::TriMesh& mesh) {
+  std::vector<potentials::Bond> bonds;
   bonds.reserve(mesh.n_edges());
   for (const auto edge : mesh.edges()) {
     if (edge.is_boundary()) continue;
-    const int left = edge.h0().face().idx();
-    const int right = edge.h1().face().idx();
+    const auto left = static_cast<std::uint32_t>(edge.h0().face().idx());
+    const auto right = static_cast<std::uint32_t>(edge.h1().face().idx());
     bonds.push_back({std::min(left, right), std::max(left, right)});
   }
   return bonds;
 }
 
-std::vector<std::vector<int>> rings_around_vertices(const remesh::TriMesh& mesh) {
-  std::vector<std::vector<int>> rings;
+std::vector<Ring> rings_around_vertices(const remesh::TriMesh& mesh) {
+  std::vector<Ring> rings;
   rings.reserve(mesh.n_vertices());
   for (const auto vertex : mesh.vertices()) {
     if (vertex.is_boundary()) continue;
-    std::vector<int> ring;
-    for (const auto face : mesh.vf_ccw_range(vertex)) ring.push_back(face.idx());
-    if (ring.size() < 3) {
-      throw InvalidNetwork(concat("build_dual: vertex ", vertex.idx(), " has valence ", ring.size(),
-                                  "; rings need 3 or more atoms; remesh first"));
+    Ring ring;
+    for (const auto face : mesh.vf_ccw_range(vertex)) ring.atoms.push_back(face.idx());
+    if (ring.atoms.size() < 3) {
+      throw InvalidNetwork(concat("build_dual: vertex ", vertex.idx(), " has valence ",
+                                  ring.atoms.size(), "; rings need 3 or more atoms; remesh first"));
     }
     rings.push_back(std::move(ring));
   }
@@ -47,21 +47,23 @@ std::vector<std::vector<int>> rings_around_vertices(const remesh::TriMesh& mesh)
 
 double edge_length_for_bond(double bond) { return std::sqrt(3.0) * bond; }
 
-Network build_dual(const remesh::TriMesh& mesh) {
+Structure build_dual(const remesh::TriMesh& mesh) {
   if (mesh.n_faces() == 0)
     throw InvalidNetwork("build_dual: the mesh has no faces; atoms need them");
-  return {.positions = centroids(mesh),
+  return {.atoms = {.positions = centroids(mesh),
+                    .species = std::vector(mesh.n_faces(), potentials::Species::carbon),
+                    .box = {}},
           .bonds = bonds_across_edges(mesh),
           .rings = rings_around_vertices(mesh)};
 }
 
-double mean_bond_length(const Network& network) {
-  if (network.bonds.empty()) return 0.0;
+double mean_bond_length(const Structure& structure) {
+  if (structure.bonds.empty()) return 0.0;
   double sum = 0.0;
-  for (const auto& [first, second] : network.bonds) {
-    sum += (network.positions[first] - network.positions[second]).norm();
+  for (const potentials::Bond& bond : structure.bonds) {
+    sum += potentials::bond_length(structure.atoms, bond);
   }
-  return sum / static_cast<double>(network.bonds.size());
+  return sum / static_cast<double>(structure.bonds.size());
 }
 
 }  // namespace trivalent::dual

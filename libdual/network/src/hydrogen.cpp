@@ -1,92 +1,107 @@
 #include "trivalent/dual/hydrogen.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
+#include "trivalent/dual/bonding.h"
+#include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/error.h"
-#include "trivalent/dual/network_checks.h"
 
 namespace trivalent::dual {
 namespace {
 
-std::vector<std::vector<int>> bonded_atoms(const Network& network) {
-  std::vector<std::vector<int>> bonded(coordinations(network).size());
-  for (const auto& [first, second] : network.bonds) {
-    bonded[static_cast<std::size_t>(first)].push_back(second);
-    bonded[static_cast<std::size_t>(second)].push_back(first);
-  }
-  return bonded;
-}
-
 class Capping {
  public:
-  explicit Capping(Network& network) : network_(network), bonded_(bonded_atoms(network)) {}
+  explicit Capping(Structure& structure) : structure_(structure), bonding_(bonding_of(structure)) {}
 
   HydrogenCaps run() {
     HydrogenCaps caps;
-    for (std::size_t i = 0; i < bonded_.size(); ++i) {
-      const int atom = static_cast<int>(i);
-      if (bonded_[i].empty()) ++caps.bare_atoms;
-      if (bonded_[i].size() == 1) cap_end(atom);
-      if (bonded_[i].size() == 2) cap_edge(atom);
+    const std::size_t n_carbon = structure_.atoms.size();
+    for (std::uint32_t atom = 0; atom < n_carbon; ++atom) {
+      if (bonding_[atom].empty()) ++caps.bare_atoms;
+      if (bonding_[atom].size() == 1) cap_end(atom);
+      if (bonding_[atom].size() == 2) cap_edge(atom);
     }
-    caps.hydrogens = network_.hydrogens;
+    caps.hydrogens = static_cast<int>(structure_.atoms.size() - n_carbon);
     return caps;
   }
 
  private:
-  [[nodiscard]] Eigen::Vector3d direction(int from, int to) const {
-    return (network_.positions[static_cast<std::size_t>(to)] -
-            network_.positions[static_cast<std::size_t>(from)])
-        .normalized();
+  void add(std::uint32_t atom, const Eigen::Vector3d& along) {
+    potentials::Atoms& atoms = structure_.atoms;
+    const auto hydrogen = static_cast<std::uint32_t>(atoms.size());
+    const Eigen::Vector3d position = atoms.positions[atom] + hydrogen_bond_length * along;
+    atoms.positions.push_back(position);
+    atoms.species.push_back(potentials::Species::hydrogen);
+    structure_.bonds.push_back({atom, hydrogen});
   }
 
-  void add(int atom, const Eigen::Vector3d& along) {
-    const int hydrogen = static_cast<int>(network_.positions.size());
-    const Eigen::Vector3d position =
-        network_.positions[static_cast<std::size_t>(atom)] + hydrogen_bond_length * along;
-    network_.positions.push_back(position);
-    network_.bonds.push_back({atom, hydrogen});
-    ++network_.hydrogens;
-  }
-
-  void cap_edge(int atom) {
-    const auto& bonded = bonded_[static_cast<std::size_t>(atom)];
-    const Eigen::Vector3d first = direction(atom, bonded[0]);
-    const Eigen::Vector3d outward = -(first + direction(atom, bonded[1]));
+  void cap_edge(std::uint32_t atom) {
+    const auto& ends = bonding_[atom];
+    const Eigen::Vector3d first = ends[0].separation.normalized();
+    const Eigen::Vector3d outward = -(first + ends[1].separation.normalized());
     // Two bonds in one line leave no outer angle; any direction across will do.
     constexpr double straight = 1e-6;
     add(atom, outward.norm() > straight ? outward.normalized() : first.unitOrthogonal());
   }
 
-  void cap_end(int atom) {
-    const int neighbor = bonded_[static_cast<std::size_t>(atom)][0];
-    const Eigen::Vector3d bond = direction(atom, neighbor);
+  void cap_end(std::uint32_t atom) {
+    const BondEnd& neighbor = bonding_[atom][0];
+    const Eigen::Vector3d bond = neighbor.separation.normalized();
     Eigen::Vector3d across = bond.unitOrthogonal();
-    for (const int other : bonded_[static_cast<std::size_t>(neighbor)]) {
+    for (const BondEnd& other : bonding_[static_cast<std::size_t>(neighbor.atom)]) {
       // Within the plane of the neighbor's bonds.
-      const Eigen::Vector3d away = direction(neighbor, other);
+      const Eigen::Vector3d away = other.separation.normalized();
       const Eigen::Vector3d part = away - away.dot(bond) * bond;
       constexpr double straight = 1e-6;
-      if (other != atom && part.norm() > straight) across = part.normalized();
+      const bool is_way_back = other.atom == static_cast<int>(atom);
+      if (!is_way_back && part.norm() > straight) across = part.normalized();
     }
     const double sine = 0.5 * std::sqrt(3.0);  // of 120°
     add(atom, -0.5 * bond + sine * across);
     add(atom, -0.5 * bond - sine * across);
   }
 
-  Network& network_;
-  std::vector<std::vector<int>> bonded_;
+  Structure& structure_;
+  Bonding bonding_;
 };
 
 }  // namespace
 
-HydrogenCaps cap_with_hydrogen(Network& network) {
-  if (network.hydrogens > 0) {
-    throw InvalidNetwork(concat("cap_with_hydrogen: the network has ", network.hydrogens,
-                                " hydrogen atoms already"));
+HydrogenCaps cap_with_hydrogen(Structure& structure) {
+  if (has_hydrogen(structure.atoms)) {
+    const auto hydrogens =
+        std::ranges::count(structure.atoms.species, potentials::Species::hydrogen);
+    throw InvalidNetwork(
+        concat("cap_with_hydrogen: the network has ", hydrogens, " hydrogen atoms already"));
   }
-  return Capping(network).run();
+  return Capping(structure).run();
+}
+
+Structure without_hydrogen(const Structure& structure) {
+  const potentials::Atoms& atoms = structure.atoms;
+  const auto is_carbon = [&](std::size_t i) {
+    return atoms.species[i] == potentials::Species::carbon;
+  };
+  Structure carbon = {.atoms = {.positions = {}, .species = {}, .box = atoms.box}};
+  std::vector<std::uint32_t> places(atoms.size());
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    places[i] = static_cast<std::uint32_t>(carbon.atoms.size());
+    if (!is_carbon(i)) continue;
+    carbon.atoms.positions.push_back(atoms.positions[i]);
+    carbon.atoms.species.push_back(atoms.species[i]);
+  }
+  for (const auto& [first, second, image] : structure.bonds) {
+    if (!is_carbon(first) || !is_carbon(second)) continue;
+    carbon.bonds.push_back({places[first], places[second], image});
+  }
+  for (Ring ring : structure.rings) {
+    if (!std::ranges::all_of(ring.atoms, is_carbon)) continue;
+    for (int& atom : ring.atoms) atom = static_cast<int>(places[static_cast<std::size_t>(atom)]);
+    carbon.rings.push_back(std::move(ring));
+  }
+  return carbon;
 }
 
 }  // namespace trivalent::dual

@@ -10,21 +10,10 @@
 namespace trivalent::dual {
 namespace {
 
-void check_bonds(const Network& network) {
-  const int n_atoms = static_cast<int>(network.positions.size());
-  for (std::size_t bond = 0; bond < network.bonds.size(); ++bond) {
-    const auto [first, second] = network.bonds[bond];
-    if (first < 0 || second < 0 || first >= n_atoms || second >= n_atoms || first == second) {
-      throw InvalidNetwork(concat("check_network: bond ", bond, " joins atoms ", first, " and ",
-                                  second, "; bonds join two of the atoms 0 to ", n_atoms - 1));
-    }
-  }
-}
-
-void check_rings(const Network& network) {
-  const int n_atoms = static_cast<int>(network.positions.size());
-  for (std::size_t ring = 0; ring < network.rings.size(); ++ring) {
-    for (const int atom : network.rings[ring]) {
+void check_rings(const Structure& structure) {
+  const int n_atoms = static_cast<int>(structure.atoms.size());
+  for (std::size_t ring = 0; ring < structure.rings.size(); ++ring) {
+    for (const int atom : structure.rings[ring].atoms) {
       if (atom >= 0 && atom < n_atoms) continue;
       throw InvalidNetwork(concat("check_network: ring ", ring, " holds atom ", atom,
                                   "; there are the atoms 0 to ", n_atoms - 1));
@@ -32,14 +21,14 @@ void check_rings(const Network& network) {
   }
 }
 
-void measure_bonds(const Network& network, NetworkReport& report) {
-  if (network.bonds.empty()) return;
+void measure_bonds(const Structure& structure, NetworkReport& report) {
+  if (structure.bonds.empty()) return;
   std::vector<double> lengths;
-  lengths.reserve(network.bonds.size());
-  for (const auto& [first, second] : network.bonds) {
-    lengths.push_back((network.positions[first] - network.positions[second]).norm());
+  lengths.reserve(structure.bonds.size());
+  for (const potentials::Bond& bond : structure.bonds) {
+    lengths.push_back(potentials::bond_length(structure.atoms, bond));
   }
-  report.bond_mean = mean_bond_length(network);
+  report.bond_mean = mean_bond_length(structure);
   double squares = 0.0;
   for (const double length : lengths) {
     squares += (length - report.bond_mean) * (length - report.bond_mean);
@@ -50,13 +39,13 @@ void measure_bonds(const Network& network, NetworkReport& report) {
   report.bond_max = *longest;
 }
 
-void count_rings(const Network& network, NetworkReport& report) {
-  for (const auto& ring : network.rings) {
-    const int size = static_cast<int>(ring.size());
+void count_rings(const Structure& structure, NetworkReport& report) {
+  for (const Ring& ring : structure.rings) {
+    const int size = static_cast<int>(ring.atoms.size());
     ++report.ring_sizes[size];
     report.ring_excess += 6 - size;
   }
-  if (network.rings.empty()) return;
+  if (structure.rings.empty()) return;
   const auto hexagons = report.ring_sizes.find(6);
   if (hexagons == report.ring_sizes.end()) return;
   report.hexagon_fraction = static_cast<double>(hexagons->second) / report.rings;
@@ -64,45 +53,51 @@ void count_rings(const Network& network, NetworkReport& report) {
 
 }  // namespace
 
-NetworkReport check_network(const Network& network) {
-  check_rings(network);
+NetworkReport check_network(const Structure& structure) {
+  check_rings(structure);
   NetworkReport report;
-  report.atoms = static_cast<int>(network.positions.size());
-  report.bonds = static_cast<int>(network.bonds.size());
-  report.rings = static_cast<int>(network.rings.size());
-  for (const int coordination : coordinations(network)) ++report.coordinations[coordination];
-  count_rings(network, report);
-  measure_bonds(network, report);
+  report.atoms = static_cast<int>(structure.atoms.size());
+  report.bonds = static_cast<int>(structure.bonds.size());
+  report.rings = static_cast<int>(structure.rings.size());
+  for (const int coordination : coordinations(structure)) ++report.coordinations[coordination];
+  count_rings(structure, report);
+  measure_bonds(structure, report);
   return report;
 }
 
-std::vector<int> coordinations(const Network& network) {
-  check_bonds(network);
-  std::vector<int> counts(network.positions.size(), 0);
-  for (const auto& [first, second] : network.bonds) {
-    ++counts[first];
-    ++counts[second];
+void check_bonds(const potentials::Atoms& atoms, std::span<const potentials::Bond> bonds) {
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    const auto& [first, second, image] = bonds[i];
+    const bool is_loop = first == second && image == std::array<std::int32_t, 3>{0, 0, 0};
+    if (std::max(first, second) < atoms.size() && !is_loop) continue;
+    throw InvalidNetwork(concat("check_network: bond ", i, " joins atoms ", first, " and ", second,
+                                "; bonds join two of the atoms 0 to ",
+                                static_cast<std::int64_t>(atoms.size()) - 1));
+  }
+}
+
+std::vector<int> coordinations(const Structure& structure) {
+  check_bonds(structure.atoms, structure.bonds);
+  std::vector<int> counts(structure.atoms.size(), 0);
+  for (const potentials::Bond& bond : structure.bonds) {
+    ++counts[bond.first];
+    ++counts[bond.second];
   }
   return counts;
 }
 
-std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Network& network) {
-  check_rings(network);
-  return ring_sizes_at_atoms(network.rings, network.positions.size());
-}
-
-std::vector<std::array<int, 3>> ring_sizes_at_atoms(const std::vector<std::vector<int>>& rings,
-                                                    std::size_t n_atoms) {
-  std::vector<std::array<int, 3>> sizes(n_atoms, {0, 0, 0});
-  for (const auto& ring : rings) {
-    for (const int atom : ring) {
+std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Structure& structure) {
+  check_rings(structure);
+  std::vector<std::array<int, 3>> sizes(structure.atoms.size(), {0, 0, 0});
+  for (const Ring& ring : structure.rings) {
+    for (const int atom : ring.atoms) {
       const auto free = std::find(sizes[atom].begin(), sizes[atom].end(), 0);
       if (free == sizes[atom].end()) {
         throw InvalidNetwork(
             concat("ring_sizes_at_atoms: atom ", atom,
                    " lies in more than three rings; the network must be trivalent"));
       }
-      *free = static_cast<int>(ring.size());
+      *free = static_cast<int>(ring.atoms.size());
     }
   }
   for (auto& of_atom : sizes) std::sort(of_atom.begin(), of_atom.end(), std::greater<>{});

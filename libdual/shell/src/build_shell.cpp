@@ -105,7 +105,7 @@ Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
     fit_scale(mesh, options, shell);
   }
   remesh::scale(shell.surface.mesh, shell.scale);
-  shell.network = build_dual(shell.surface.mesh);
+  shell.structure = build_dual(shell.surface.mesh);
   return shell;
 }
 

@@ -83,7 +83,7 @@ Eigen::Matrix3d turn_of(const PictureOptions& options) {
 Projection fit(const ShellState& state, const PictureOptions& options, const Area& panel) {
   Projection projection = {.turn = turn_of(options)};
   Eigen::AlignedBox3d bounds;
-  for (const Eigen::Vector3d& position : state.atoms.positions)
+  for (const Eigen::Vector3d& position : state.structure.atoms.positions)
     bounds.extend(projection.turn * position);
   if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
   constexpr double ball = 1.0;  // [Å] beyond the centers
@@ -98,13 +98,14 @@ Projection fit(const ShellState& state, const PictureOptions& options, const Are
 }
 
 /// Radii that fill the net whatever the lengths of its bonds: half an atom's mean bond, nearly [Å].
-std::vector<double> ball_radii(const ShellState& state) {
+std::vector<double> ball_radii(const Structure& structure) {
+  const potentials::Atoms& atoms = structure.atoms;
   constexpr double lone = 1.42;
-  std::vector<double> sums(state.atoms.size(), 0.0);
-  std::vector<int> counts(state.atoms.size(), 0);
+  std::vector<double> sums(atoms.size(), 0.0);
+  std::vector<int> counts(atoms.size(), 0);
   std::vector<double> lengths;
-  for (const auto& [first, second] : state.network.bonds) {
-    lengths.push_back((state.atoms.positions[first] - state.atoms.positions[second]).norm());
+  for (const auto& [first, second] : drawable_bonds(structure)) {
+    lengths.push_back((atoms.positions[first] - atoms.positions[second]).norm());
     for (const int atom : {first, second}) {
       sums[atom] += lengths.back();
       ++counts[atom];
@@ -115,7 +116,7 @@ std::vector<double> ball_radii(const ShellState& state) {
   std::vector<double> radii;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double mean = counts[i] > 0 ? sums[i] / counts[i] : typical;
-    const double size = state.atoms.species[i] == potentials::Species::hydrogen ? 0.32 : 0.5;
+    const double size = atoms.species[i] == potentials::Species::hydrogen ? 0.32 : 0.5;
     radii.push_back(size * std::clamp(mean, 0.4 * typical, 2.5 * typical));
   }
   return radii;
@@ -128,21 +129,22 @@ double mean_of(const std::vector<double>& values) {
 
 void draw_atoms(Canvas& canvas, const ShellState& state, const Projection& projection,
                 const std::vector<Rgb>& colors) {
-  const std::vector<double> radii = ball_radii(state);
+  const potentials::Atoms& atoms = state.structure.atoms;
+  const std::vector<std::array<int, 2>> bonds = drawable_bonds(state.structure);
+  const std::vector<double> radii = ball_radii(state.structure);
   const double mean = mean_of(radii) * projection.samples_per_length;
   // Sticks need some pixels; before that, balls that touch make a closed surface.
   constexpr double room_for_sticks = 5.0 * samples;
-  const bool has_sticks = mean > room_for_sticks && !state.network.bonds.empty();
+  const bool has_sticks = mean > room_for_sticks && !bonds.empty();
   const double ball = has_sticks ? 0.55 : 1.15;
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    canvas.draw_ball(projection(state.atoms.positions[i]),
+    canvas.draw_ball(projection(atoms.positions[i]),
                      ball * radii[i] * projection.samples_per_length, colors[i]);
   }
   if (!has_sticks) return;
-  for (const auto& [first, second] : state.network.bonds) {
-    canvas.draw_stick(projection(state.atoms.positions[first]),
-                      projection(state.atoms.positions[second]), 0.2 * mean,
-                      {colors[first], colors[second]});
+  for (const auto& [first, second] : bonds) {
+    canvas.draw_stick(projection(atoms.positions[first]), projection(atoms.positions[second]),
+                      0.2 * mean, {colors[first], colors[second]});
   }
 }
 
@@ -161,14 +163,15 @@ Color ring_color(const AtomMap& map, const AtomMap& values, const std::vector<in
 void draw_rings(Canvas& canvas, const ShellState& state, const Projection& projection,
                 const AtomMap& map) {
   const AtomMap& values = *state.find(map.name);
-  for (const auto& ring : state.network.rings) {
+  const std::vector<Eigen::Vector3d>& positions = state.structure.atoms.positions;
+  for (const auto& ring : drawable_rings(state.structure)) {
     const Rgb color = rgb(ring_color(map, values, ring));
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for (const int atom : ring) center += state.atoms.positions[atom];
+    for (const int atom : ring) center += positions[atom];
     center /= static_cast<double>(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      canvas.draw_triangle({projection(center), projection(state.atoms.positions[ring[i]]),
-                            projection(state.atoms.positions[ring[(i + 1) % ring.size()]])},
+      canvas.draw_triangle({projection(center), projection(positions[ring[i]]),
+                            projection(positions[ring[(i + 1) % ring.size()]])},
                            color);
     }
   }
@@ -179,7 +182,7 @@ std::vector<Rgb> atom_colors(const AtomMap& map, const ShellState& state) {
   colored.values = state.find(map.name)->values;
   for (std::size_t i = 0; i < colored.values.size(); ++i) {
     // The scale of energies is carbon's.
-    const bool is_carbon = state.atoms.species[i] == potentials::Species::carbon;
+    const bool is_carbon = state.structure.atoms.species[i] == potentials::Species::carbon;
     if (map.name == "energy" && !is_carbon) colored.values[i] = std::nan("");
   }
   std::vector<Rgb> colors;
@@ -198,13 +201,13 @@ void draw_state(Canvas& canvas, const ShellState& state, const PictureOptions& o
   }
   double near = -std::numeric_limits<double>::infinity();
   double far = -near;
-  for (const Eigen::Vector3d& position : state.atoms.positions) {
+  for (const Eigen::Vector3d& position : state.structure.atoms.positions) {
     const double depth = projection(position).z();
     near = std::max(near, depth);
     far = std::min(far, depth);
   }
   if (near > far) {
-    const double reach = 1.6 * mean_of(ball_radii(state)) * projection.samples_per_length;
+    const double reach = 1.6 * mean_of(ball_radii(state.structure)) * projection.samples_per_length;
     canvas.add_depth_cues(std::max(reach, 3.0 * samples), near, far);
   }
 }

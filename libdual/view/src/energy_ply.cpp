@@ -13,30 +13,31 @@
 namespace trivalent::dual {
 namespace {
 
-void check_map(const Network& network, std::span<const double> energies) {
-  if (energies.size() != network.positions.size()) {
+void check_map(const Structure& structure, std::span<const double> energies) {
+  if (energies.size() != structure.atoms.size()) {
     throw InvalidNetwork(concat("write_energy_ply: ", energies.size(), " energies for ",
-                                network.positions.size(), " atoms"));
+                                structure.atoms.size(), " atoms"));
   }
   for (std::size_t i = 0; i < energies.size(); ++i) {
-    if (network.positions[i].allFinite() && std::isfinite(energies[i])) continue;
+    if (structure.atoms.positions[i].allFinite() && std::isfinite(energies[i])) continue;
     throw InvalidNetwork(concat("write_energy_ply: atom ", i,
                                 " has a coordinate or energy that is not "
                                 "finite"));
   }
 }
 
-void write_header(std::ostream& out, const Network& network, const EnergyPlyOptions& options) {
+void write_header(std::ostream& out, std::size_t n_atoms, std::size_t n_faces,
+                  const EnergyPlyOptions& options) {
   const ColorScale& scale = options.scale;
   out << "ply\nformat " << (options.kind == PlyKind::text ? "ascii" : "binary_little_endian")
       << " 1.0\n"
       << "comment energy per atom in eV; blue " << scale.low << ", white " << scale.middle()
       << ", red " << scale.high << '\n'
-      << "element vertex " << network.positions.size() << '\n'
+      << "element vertex " << n_atoms << '\n'
       << "property double x\nproperty double y\nproperty double z\n"
       << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       << "property double energy\n"
-      << "element face " << network.rings.size() << '\n'
+      << "element face " << n_faces << '\n'
       << "property list int int vertex_indices\n"
       << "end_header\n";
 }
@@ -85,11 +86,11 @@ class BinaryRow {
 };
 
 template <typename Row>
-void write_vertices(std::ostream& out, const Network& network, std::span<const double> energies,
+void write_vertices(std::ostream& out, const Structure& structure, std::span<const double> energies,
                     const ColorScale& scale) {
   Row row;
   for (std::size_t i = 0; i < energies.size(); ++i) {
-    for (const double coordinate : network.positions[i]) row.add(coordinate);
+    for (const double coordinate : structure.atoms.positions[i]) row.add(coordinate);
     for (const std::uint8_t channel : scale.color(energies[i])) row.add(channel);
     row.add(energies[i]);
     row.write(out);
@@ -97,9 +98,9 @@ void write_vertices(std::ostream& out, const Network& network, std::span<const d
 }
 
 template <typename Row>
-void write_faces(std::ostream& out, const Network& network) {
+void write_faces(std::ostream& out, const std::vector<std::vector<int>>& rings) {
   Row row;
-  for (const auto& ring : network.rings) {
+  for (const auto& ring : rings) {
     row.add(static_cast<std::int32_t>(ring.size()));
     for (const int atom : ring) row.add(static_cast<std::int32_t>(atom));
     row.write(out);
@@ -108,27 +109,28 @@ void write_faces(std::ostream& out, const Network& network) {
 
 }  // namespace
 
-void write_energy_ply(std::ostream& out, const Network& network, std::span<const double> energies,
-                      const EnergyPlyOptions& options) {
-  check_map(network, energies);
+void write_energy_ply(std::ostream& out, const Structure& structure,
+                      std::span<const double> energies, const EnergyPlyOptions& options) {
+  check_map(structure, energies);
   if (options.scale.colors.size() < 2 || !(options.scale.high > options.scale.low)) {
     throw InvalidOption("write_energy_ply: the color scale needs two colors and a width");
   }
-  static_cast<void>(check_network(network));
-  write_header(out, network, options);
+  static_cast<void>(check_network(structure));
+  const std::vector<std::vector<int>> rings = drawable_rings(structure);
+  write_header(out, structure.atoms.size(), rings.size(), options);
   if (options.kind == PlyKind::text) {
-    write_vertices<TextRow>(out, network, energies, options.scale);
-    write_faces<TextRow>(out, network);
+    write_vertices<TextRow>(out, structure, energies, options.scale);
+    write_faces<TextRow>(out, rings);
   } else {
-    write_vertices<BinaryRow>(out, network, energies, options.scale);
-    write_faces<BinaryRow>(out, network);
+    write_vertices<BinaryRow>(out, structure, energies, options.scale);
+    write_faces<BinaryRow>(out, rings);
   }
 }
 
-void write_energy_ply(const std::filesystem::path& path, const Network& network,
+void write_energy_ply(const std::filesystem::path& path, const Structure& structure,
                       std::span<const double> energies, const EnergyPlyOptions& options) {
   remesh::write_whole_file(
-      path, [&](std::ostream& out) { write_energy_ply(out, network, energies, options); });
+      path, [&](std::ostream& out) { write_energy_ply(out, structure, energies, options); });
 }
 
 }  // namespace trivalent::dual

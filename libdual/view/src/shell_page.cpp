@@ -88,7 +88,7 @@ struct Shown {
 /// Every so many atoms, and the worst ones, whom nobody should miss.
 Shown shown_atoms(const ShellState& state) {
   Shown shown;
-  const std::size_t n_atoms = state.atoms.size();
+  const std::size_t n_atoms = state.structure.atoms.size();
   if (n_atoms <= most_page_atoms) {
     shown.atoms.resize(n_atoms);
     std::iota(shown.atoms.begin(), shown.atoms.end(), 0);
@@ -142,12 +142,12 @@ std::string json_map(const AtomMap& map, const ColorScale& scale, const std::vec
   return json + ",\"values\":" + packed_values(map, atoms, step) + '}';
 }
 
-std::string packed_bonds(const Network& network) {
+std::string packed_bonds(const std::vector<std::array<int, 2>>& bonds) {
   std::vector<std::int32_t> ends;
-  ends.reserve(2 * network.bonds.size());
+  ends.reserve(2 * bonds.size());
   // The second end as a step from the first; the page adds it up again.
   std::int32_t before = 0;
-  for (const auto& [first, second] : network.bonds) {
+  for (const auto& [first, second] : bonds) {
     ends.push_back(first - before);
     ends.push_back(second - first);
     before = first;
@@ -155,10 +155,10 @@ std::string packed_bonds(const Network& network) {
   return packed_integers(ends, 0);
 }
 
-std::string packed_rings(const Network& network) {
+std::string packed_rings(const std::vector<std::vector<int>>& rings) {
   std::vector<std::int32_t> sizes;
   std::vector<std::int32_t> atoms;
-  for (const auto& ring : network.rings) {
+  for (const auto& ring : rings) {
     sizes.push_back(static_cast<std::int32_t>(ring.size()));
     atoms.insert(atoms.end(), ring.begin(), ring.end());
   }
@@ -187,16 +187,17 @@ std::string json_state(const ShellState& state, const ShellPage& page) {
   const Shown shown = shown_atoms(state);
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(shown.atoms.size());
-  for (const int atom : shown.atoms) positions.push_back(state.atoms.positions[atom]);
+  for (const int atom : shown.atoms) positions.push_back(state.structure.atoms.positions[atom]);
   // Half of the atoms would leave torn bonds and rings.
-  const Network network = shown.is_sample ? Network{} : state.network;
+  const Structure drawn = shown.is_sample ? Structure{} : state.structure;
 
   std::string json = "{\"name\":" + json_text(state.name) +
-                     ",\"total_atoms\":" + std::to_string(state.atoms.size()) +
+                     ",\"total_atoms\":" + std::to_string(state.structure.atoms.size()) +
                      ",\"step\":" + json_number(position_step) +
                      ",\"positions\":" + packed_points(positions) +
-                     ",\"species\":" + packed_species(state.atoms, shown.atoms) +
-                     ",\"bonds\":" + packed_bonds(network) + ",\"rings\":" + packed_rings(network);
+                     ",\"species\":" + packed_species(state.structure.atoms, shown.atoms) +
+                     ",\"bonds\":" + packed_bonds(drawable_bonds(drawn)) +
+                     ",\"rings\":" + packed_rings(drawable_rings(drawn));
   if (shown.is_sample) {
     const std::vector<std::int32_t> ids(shown.atoms.begin(), shown.atoms.end());
     json += ",\"sample\":" + packed_integers(ids, 1);

@@ -45,7 +45,7 @@ std::int32_t atomic_number(potentials::Species species) {
 
 void add_points(Document& document, const ShellState& state) {
   std::vector<double> coordinates;
-  for (const Eigen::Vector3d& position : state.atoms.positions) {
+  for (const Eigen::Vector3d& position : state.structure.atoms.positions) {
     coordinates.insert(coordinates.end(), position.begin(), position.end());
   }
   document.xml += "      <Points>\n";
@@ -56,7 +56,7 @@ void add_points(Document& document, const ShellState& state) {
 void add_point_data(Document& document, const ShellState& state) {
   std::vector<std::int32_t> ids;
   std::vector<std::int32_t> numbers;
-  for (const potentials::Species species : state.atoms.species) {
+  for (const potentials::Species species : state.structure.atoms.species) {
     ids.push_back(static_cast<std::int32_t>(ids.size()) + 1);
     numbers.push_back(atomic_number(species));
   }
@@ -95,15 +95,22 @@ std::vector<std::array<std::int32_t, 1>> vertices(std::size_t n_atoms) {
   return cells;
 }
 
+/// What does not cross a periodic boundary.
+struct Drawing {
+  std::vector<std::array<int, 2>> bonds;
+  std::vector<std::vector<int>> rings;
+};
+
 /// Cells are numbered vertices first, then lines, then polygons.
-void add_cell_data(Document& document, const ShellState& state) {
-  const Network& network = state.network;
-  std::vector<double> lengths(state.atoms.size(), std::numeric_limits<double>::quiet_NaN());
-  std::vector<std::int32_t> sizes(state.atoms.size() + network.bonds.size(), 0);
-  for (const auto& [first, second] : network.bonds) {
-    lengths.push_back((network.positions[first] - network.positions[second]).norm());
+void add_cell_data(Document& document, const ShellState& state, const Drawing& drawing) {
+  std::vector<double> lengths(state.structure.atoms.size(),
+                              std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::int32_t> sizes(state.structure.atoms.size() + drawing.bonds.size(), 0);
+  const std::vector<Eigen::Vector3d>& positions = state.structure.atoms.positions;
+  for (const auto& [first, second] : drawing.bonds) {
+    lengths.push_back((positions[first] - positions[second]).norm());
   }
-  for (const auto& ring : network.rings) sizes.push_back(static_cast<std::int32_t>(ring.size()));
+  for (const auto& ring : drawing.rings) sizes.push_back(static_cast<std::int32_t>(ring.size()));
   lengths.resize(sizes.size(), std::numeric_limits<double>::quiet_NaN());
   document.xml += "      <CellData>\n";
   document.add_array("bond_length", lengths);
@@ -115,20 +122,21 @@ void add_cell_data(Document& document, const ShellState& state) {
 
 void write_vtp(std::ostream& out, const ShellState& state) {
   check_state("write_vtp", state);
-  const Network& network = state.network;
+  const Drawing drawing = {drawable_bonds(state.structure), drawable_rings(state.structure)};
   Document document;
   add_point_data(document, state);
-  add_cell_data(document, state);
+  add_cell_data(document, state, drawing);
   add_points(document, state);
-  add_cells(document, "Verts", vertices(state.atoms.size()));
-  add_cells(document, "Lines", network.bonds);
-  add_cells(document, "Polys", network.rings);
+  add_cells(document, "Verts", vertices(state.structure.atoms.size()));
+  add_cells(document, "Lines", drawing.bonds);
+  add_cells(document, "Polys", drawing.rings);
   out << "<?xml version=\"1.0\"?>\n"
       << "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n"
-      << "  <PolyData>\n    <Piece NumberOfPoints=\"" << state.atoms.size() << "\" NumberOfVerts=\""
-      << state.atoms.size() << "\" NumberOfLines=\"" << network.bonds.size()
-      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << network.rings.size() << "\">\n"
+      << "  <PolyData>\n    <Piece NumberOfPoints=\"" << state.structure.atoms.size()
+      << "\" NumberOfVerts=\"" << state.structure.atoms.size() << "\" NumberOfLines=\""
+      << drawing.bonds.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << drawing.rings.size()
+      << "\">\n"
       << document.xml << "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
   out.write(document.arrays.data(), static_cast<std::streamsize>(document.arrays.size()));
   out << "\n  </AppendedData>\n</VTKFile>\n";

@@ -203,12 +203,8 @@ void Evaluator::place_images(const TileFlags& tiles) {
     for (std::size_t k = begin; k < end; ++k) {
       const auto& [home, shift] = c.images[k];
       if (tiles[c.tile_of(home)] == 0) continue;
-      Eigen::Vector3d x = Eigen::Vector3d::Map(&positions_[std::size_t{4} * home]);
-      for (int d = 0; d < 3; ++d) {
-        const std::int16_t times = shift[static_cast<std::size_t>(d)];
-        if (times != 0) x += times * box_.cell.col(d);
-      }
-      Eigen::Vector3d::Map(&positions_[4 * (c.count() + k)]) = x;
+      const Eigen::Vector3d x = Eigen::Vector3d::Map(&positions_[std::size_t{4} * home]);
+      Eigen::Vector3d::Map(&positions_[4 * (c.count() + k)]) = box_.shifted(x, shift);
     }
   });
 }

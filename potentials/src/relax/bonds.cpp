@@ -35,14 +35,11 @@ std::vector<Bond> bonds_of(const NeighborList& neighbors) {
 
 }  // namespace
 
-double bond_length(const Atoms& atoms, const Bond& bond) {
-  Eigen::Vector3d between = atoms.positions[bond.second] - atoms.positions[bond.first];
-  for (int k = 0; k < 3; ++k) {
-    const std::int32_t times = bond.image[static_cast<std::size_t>(k)];
-    if (times != 0) between += times * atoms.box.cell.col(k);
-  }
-  return between.norm();
+Eigen::Vector3d bond_vector(const Atoms& atoms, const Bond& bond) {
+  return atoms.box.shifted(atoms.positions[bond.second] - atoms.positions[bond.first], bond.image);
 }
+
+double bond_length(const Atoms& atoms, const Bond& bond) { return bond_vector(atoms, bond).norm(); }
 
 std::vector<Bond> bonds_between(const Atoms& atoms, std::span<const std::array<int, 2>> pairs) {
   const auto n = static_cast<std::int64_t>(atoms.size());

@@ -18,12 +18,7 @@ std::array<std::int32_t, 3> back(const std::array<std::int32_t, 3>& image) {
 }
 
 Eigen::Vector3d separation(const Atoms& atoms, std::size_t from, const auto& to) {
-  Eigen::Vector3d between = atoms.positions[to.atom] - atoms.positions[from];
-  for (int k = 0; k < 3; ++k) {
-    const std::int32_t times = to.image[static_cast<std::size_t>(k)];
-    if (times != 0) between += times * atoms.box.cell.col(k);
-  }
-  return between;
+  return atoms.box.shifted(atoms.positions[to.atom] - atoms.positions[from], to.image);
 }
 
 // Adds to the force on one end of a spring; returns that end's half of the energy.

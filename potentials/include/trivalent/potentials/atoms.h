@@ -17,6 +17,21 @@ struct Box {
   Eigen::Matrix3d cell = Eigen::Matrix3d::Zero();        ///< cell vectors as columns [Å]
   std::array<bool, 3> periodic = {false, false, false};  ///< along each cell vector
   [[nodiscard]] bool is_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
+  /// A point, or a separation, after a move by so many cell vectors [Å].
+  template <typename Integer>
+  [[nodiscard]] Eigen::Vector3d shifted(Eigen::Vector3d point,
+                                        const std::array<Integer, 3>& image) const {
+    for (int k = 0; k < 3; ++k) {
+      const Integer count = image[static_cast<std::size_t>(k)];
+      if (count != 0) point += count * cell.col(k);
+    }
+    return point;
+  }
+  /// Sum of so many cell vectors [Å].
+  template <typename Integer>
+  [[nodiscard]] Eigen::Vector3d offset(const std::array<Integer, 3>& image) const {
+    return shifted(Eigen::Vector3d::Zero(), image);
+  }
 };
 
 /// Positions and species, one entry per atom, and the box they live in.

@@ -16,6 +16,9 @@ struct Bond {
   std::array<std::int32_t, 3> image = {0, 0, 0};  ///< `second` sits at position + cell · image
 };
 
+/// From the first atom of a bond to the second [Å].
+[[nodiscard]] Eigen::Vector3d bond_vector(const Atoms& atoms, const Bond& bond);
+
 /// Length of a bond [Å].
 [[nodiscard]] double bond_length(const Atoms& atoms, const Bond& bond);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -9,7 +8,9 @@
 #include <vector>
 
 #include "trivalent/dual/error.h"
+#include "trivalent/dual/structure.h"
 #include "trivalent/formats/digits.h"
+#include "trivalent/formats/structure_file.h"
 #include "trivalent/potentials/atoms.h"
 
 namespace trivalent::dual {
@@ -18,13 +19,6 @@ namespace trivalent::dual {
 enum class AtomStyle {
   atomic,    ///< id type x y z
   molecular  ///< id molecule type x y z, and a section Bonds
-};
-
-/// What a LAMMPS data file holds for us.
-struct LammpsData {
-  potentials::Atoms atoms;
-  std::vector<std::array<int, 2>> bonds = {};  ///< atom indices from 0
-  std::vector<std::string> notes = {};         ///< reading: one sentence per kind of thing left out
 };
 
 /// Atoms [begin, end).
@@ -57,23 +51,24 @@ void require_lammps_ids(std::uint64_t atoms);
 /// @throws InvalidOption  if the box's cell is not LAMMPS's (a along x, b in the xy plane, a
 ///   right-handed cell, tilts of at most half a side), the title is too long or not one line, or a
 ///   part is not one of the atoms or asked for in molecular style.
-void write_lammps_data(std::ostream& out, const LammpsData& data,
+void write_lammps_data(std::ostream& out, const Structure& structure,
                        const LammpsDataOptions& options = {});
 
 /// The same into a file, which appears whole or not at all.
 ///
 /// @throws FileError if the file cannot be written.
-void write_lammps_data(const std::filesystem::path& path, const LammpsData& data,
+void write_lammps_data(const std::filesystem::path& path, const Structure& structure,
                        const LammpsDataOptions& options = {});
 
 /// Reads a data file of atom_style atomic, charge, molecular or full, also compressed with gzip.
 /// Elements come from the masses. Atoms are ordered by id; velocities and everything about force
 /// fields is left out and noted. A data file does not say which directions are periodic: the box is
-/// taken as periodic in all three, as LAMMPS does unless it is told otherwise.
+/// taken as periodic in all three, as LAMMPS does unless it is told otherwise. Bonds lead to the
+/// nearest periodic image.
 ///
 /// @throws FileError if the file is missing, unreadable, cut short or malformed, has another
 /// atom_style,
 ///   masses of other elements than C and H, or atoms twice; the message names the line.
-[[nodiscard]] LammpsData read_lammps_data(const std::filesystem::path& path);
+[[nodiscard]] StructureFile read_lammps_data(const std::filesystem::path& path);
 
 }  // namespace trivalent::dual

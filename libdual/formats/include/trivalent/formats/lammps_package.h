@@ -29,7 +29,7 @@ struct LammpsPackageOptions {
 ///   also if atoms_per_file is 0, or the atoms need several files in molecular style.
 /// @throws FileError if a file cannot be written.
 std::vector<std::string> write_lammps_package(const std::filesystem::path& folder,
-                                              const LammpsData& data, double energy,
+                                              const Structure& structure, double energy,
                                               const LammpsPackageOptions& options = {});
 
 }  // namespace trivalent::dual

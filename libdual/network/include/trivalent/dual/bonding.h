@@ -1,43 +1,41 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "trivalent/dual/error.h"
-#include "trivalent/dual/network.h"
-#include "trivalent/potentials/atoms.h"
+#include "trivalent/dual/structure.h"
 
 namespace trivalent::dual {
 
 /// A bond as one of its two atoms sees it.
 struct BondEnd {
   int atom = 0;                                          ///< at the other end
-  std::array<int, 3> image = {0, 0, 0};                  ///< periodic copy of it, in cell vectors
+  std::array<std::int32_t, 3> image = {0, 0, 0};         ///< periodic copy of it, in cell vectors
   Eigen::Vector3d separation = Eigen::Vector3d::Zero();  ///< towards it [Å]
 };
 
-/// Who is bonded to whom: the bonds of every atom, also across periodic boundaries.
+/// The bonds of every atom, also across periodic boundaries.
 using Bonding = std::vector<std::vector<BondEnd>>;
 
-/// The bonds of a network, whatever their lengths.
+/// Sorts bonds by atom, keeping their order.
 ///
-/// @throws InvalidNetwork as check_network.
-[[nodiscard]] Bonding bonding_of(const Network& network);
+/// @throws InvalidNetwork if a bond names an atom that does not exist, or joins one to itself.
+[[nodiscard]] Bonding bonding_of(const potentials::Atoms& atoms,
+                                 std::span<const potentials::Bond> bonds);
+[[nodiscard]] Bonding bonding_of(const Structure& structure);
 
 /// Bonds by distance: two atoms are bonded if they are nearer than the middle of the range over
-/// which REBO lets bonds fade out [Brenner2002]: C-C 1.85 Å, C-H 1.55 Å, H-H 1.4 Å.
+/// which REBO lets bonds fade out [Brenner2002]: C-C 1.85 Å, C-H 1.55 Å, H-H 1.4 Å. Ordered by
+/// atoms and image.
 ///
 /// @throws potentials::InvalidAtoms as potentials::NeighborList.
-[[nodiscard]] Bonding find_bonding(const potentials::Atoms& atoms);
+[[nodiscard]] std::vector<potentials::Bond> find_bonds(const potentials::Atoms& atoms);
 
 /// Number of bonds of every atom.
 [[nodiscard]] std::vector<int> coordinations(const Bonding& bonding);
-
-/// Atoms in order around a ring, each with its periodic copy.
-struct Ring {
-  std::vector<int> atoms;
-  bool crosses_boundary = false;  ///< of a periodic box
-};
 
 /// Finds the rings of a network from its bonds alone.
 ///
@@ -49,9 +47,9 @@ struct Ring {
 /// Cost: O(n) for n atoms.
 [[nodiscard]] std::vector<Ring> find_rings(const Bonding& bonding);
 
-/// Atoms with what find_bonding and find_rings say of them: only bonds and rings that do not cross
-/// a periodic boundary, since those are the ones that can be drawn.
-[[nodiscard]] Network drawable_network(const potentials::Atoms& atoms, const Bonding& bonding,
-                                       const std::vector<Ring>& rings);
+/// Finds bonds by distance if there are none, and rings from the bonds if there are none.
+///
+/// @throws as find_bonds and bonding_of.
+void add_missing_network(Structure& structure);
 
 }  // namespace trivalent::dual

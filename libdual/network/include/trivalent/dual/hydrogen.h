@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trivalent/dual/network.h"
+#include "trivalent/dual/structure.h"
 
 namespace trivalent::dual {
 
@@ -19,6 +19,9 @@ struct HydrogenCaps {
 /// atoms.
 ///
 /// @throws InvalidNetwork as check_network, or if there is hydrogen already.
-HydrogenCaps cap_with_hydrogen(Network& network);
+HydrogenCaps cap_with_hydrogen(Structure& structure);
+
+/// The carbon atoms with the bonds and rings between them, in the same order; columns stay behind.
+[[nodiscard]] Structure without_hydrogen(const Structure& structure);
 
 }  // namespace trivalent::dual

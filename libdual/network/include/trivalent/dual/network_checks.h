@@ -2,9 +2,10 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <vector>
 
-#include "trivalent/dual/network.h"
+#include "trivalent/dual/structure.h"
 
 namespace trivalent::dual {
 
@@ -30,24 +31,24 @@ struct NetworkReport {
 
 /// Counts and measures a network; bond lengths are 0 without bonds.
 ///
-/// @throws InvalidNetwork if a bond or ring names an atom that does not exist, or a bond joins an
-/// atom
-///   to itself.
-[[nodiscard]] NetworkReport check_network(const Network& network);
+/// @throws InvalidNetwork as check_bonds, or if a ring names an atom that does not exist.
+[[nodiscard]] NetworkReport check_network(const Structure& structure);
+
+/// Refuses bonds that cannot be.
+///
+/// @throws InvalidNetwork if a bond names an atom that does not exist, or joins one to itself.
+void check_bonds(const potentials::Atoms& atoms, std::span<const potentials::Bond> bonds);
 
 /// Number of bonds of every atom.
 ///
-/// @throws InvalidNetwork as check_network.
-[[nodiscard]] std::vector<int> coordinations(const Network& network);
+/// @throws InvalidNetwork as check_bonds.
+[[nodiscard]] std::vector<int> coordinations(const Structure& structure);
 
 /// Sizes of the rings around every atom, largest first. An atom of a trivalent network lies in
 /// three rings; 0 stands for each ring that the edge of an open network has cut.
 ///
-/// @throws InvalidNetwork as check_network, or if an atom lies in more than three rings.
-[[nodiscard]] std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Network& network);
-
-/// The same for rings of n_atoms atoms, all of which must exist.
-[[nodiscard]] std::vector<std::array<int, 3>> ring_sizes_at_atoms(
-    const std::vector<std::vector<int>>& rings, std::size_t n_atoms);
+/// @throws InvalidNetwork if a ring names an atom that does not exist, or an atom lies in more than
+///   three rings.
+[[nodiscard]] std::vector<std::array<int, 3>> ring_sizes_at_atoms(const Structure& structure);
 
 }  // namespace trivalent::dual

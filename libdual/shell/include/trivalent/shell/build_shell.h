@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "trivalent/dual/dual_size.h"
-#include "trivalent/dual/network.h"
+#include "trivalent/dual/structure.h"
 #include "trivalent/remesh/crystallize.h"
 #include "trivalent/remesh/mesh.h"
 #include "trivalent/remesh/remesh.h"
@@ -44,7 +44,7 @@ struct ShellEstimate {
 /// A carbon shell and the surface it is the dual of, both in Å.
 struct Shell {
   remesh::RemeshResult surface;
-  Network network;
+  Structure structure;
   double scale = 1.0;               ///< [Å per unit of the input]
   double target_edge_length = 0.0;  ///< of the remeshing that was taken [unit of the input]
   int remeshings = 0;               ///< made until the number of atoms fitted

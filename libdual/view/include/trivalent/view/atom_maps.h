@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "trivalent/dual/bonding.h"
-#include "trivalent/dual/network.h"
 #include "trivalent/view/color_scale.h"
 
 namespace trivalent::dual {

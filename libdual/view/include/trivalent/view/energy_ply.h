@@ -5,7 +5,7 @@
 #include <span>
 
 #include "trivalent/dual/error.h"
-#include "trivalent/dual/network.h"
+#include "trivalent/dual/structure.h"
 #include "trivalent/view/color_scale.h"
 
 namespace trivalent::dual {
@@ -18,17 +18,17 @@ struct EnergyPlyOptions {
 };
 
 /// Writes an energy map: atoms as vertices with colors and the scalar `energy` [eV], rings as
-/// polygons.
+/// polygons unless they cross a periodic boundary.
 ///
 /// @throws InvalidNetwork if energies are not one per atom, or a coordinate is not finite.
 /// @throws InvalidOption  if the scale has fewer than two colors or no width.
-void write_energy_ply(std::ostream& out, const Network& network, std::span<const double> energies,
-                      const EnergyPlyOptions& options);
+void write_energy_ply(std::ostream& out, const Structure& structure,
+                      std::span<const double> energies, const EnergyPlyOptions& options);
 
 /// The same into a file, which appears whole or not at all.
 ///
 /// @throws FileError if the file cannot be written.
-void write_energy_ply(const std::filesystem::path& path, const Network& network,
+void write_energy_ply(const std::filesystem::path& path, const Structure& structure,
                       std::span<const double> energies, const EnergyPlyOptions& options);
 
 }  // namespace trivalent::dual

@@ -8,8 +8,8 @@
 namespace trivalent::dual {
 
 /// Writes VTK PolyData, as ParaView and VTK read it: a vertex per atom, a line per bond, a polygon
-/// per ring. Points carry `id` (from 1), `atomic_number` and all maps; cells `bond_length` [Å]
-/// (lines, else not a number) and `ring_size` (polygons, else 0).
+/// per ring; none across a periodic boundary. Points carry `id` (from 1), `atomic_number` and all
+/// maps; cells `bond_length` [Å] (lines, else not a number) and `ring_size` (polygons, else 0).
 ///
 /// @throws InvalidNetwork as check_state.
 void write_vtp(std::ostream& out, const ShellState& state);

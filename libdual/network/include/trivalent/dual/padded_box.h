@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "trivalent/dual/network.h"
 #include "trivalent/potentials/atoms.h"
 
 namespace trivalent::dual {
@@ -16,8 +15,8 @@ inline constexpr double default_padding = 10.0;
 [[nodiscard]] potentials::Box padded_box(std::span<const Eigen::Vector3d> positions,
                                          double padding = default_padding);
 
-/// The network's atoms (carbon, and hydrogen where it was capped) in free space, with a padded box;
-/// bonds and rings stay behind.
-[[nodiscard]] potentials::Atoms carbon_atoms(const Network& network);
+/// The atoms' own box, or a padded one for a cluster without. Where it is not periodic it is made
+/// longer if atoms lie outside, as they may after relaxation: LAMMPS refuses to lose atoms.
+[[nodiscard]] potentials::Box box_to_write(const potentials::Atoms& atoms);
 
 }  // namespace trivalent::dual

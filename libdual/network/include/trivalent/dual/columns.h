@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "trivalent/dual/structure.h"
+#include "trivalent/potentials/energy_forces.h"
+
+namespace trivalent::dual {
+
+/// coordination (bonds of every atom) and rings (sizes of the three rings around it, largest first,
+/// 0 for a ring that the edge of an open network has cut).
+///
+/// @throws InvalidNetwork as ring_sizes_at_atoms.
+[[nodiscard]] std::vector<Column> network_columns(const Structure& structure);
+
+/// energies [eV] and forces [eV/Å], under the names by which ASE knows them.
+[[nodiscard]] std::vector<Column> energy_columns(const potentials::EnergyForces& result);
+
+/// Appends columns; older ones of the same names are removed.
+void replace_columns(Structure& structure, std::vector<Column> columns);
+
+/// Puts energies and forces into columns and the total [eV] into the header, instead of older ones.
+void add_energies(Structure& structure, const potentials::EnergyForces& result);
+
+/// Adds the column `displacement` [Å]: from where the atoms were to where they are.
+void add_displacements(Structure& structure, std::span<const Eigen::Vector3d> before);
+
+}  // namespace trivalent::dual
