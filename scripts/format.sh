@@ -5,4 +5,4 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 mode=(-i)
 [[ ${1:-} == --check ]] && mode=(--dry-run --Werror)
-git ls-files '*.cpp' '*.h' | xargs clang-format "${mode[@]}"
+git ls-files '*.cpp' '*.h' | xargs clang-format-14 "${mode[@]}"

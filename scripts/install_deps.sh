@@ -6,9 +6,10 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache git
   libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev liblz4-dev pkg-config
-  libboost-program-options-dev nlohmann-json3-dev
+  libboost-program-options-dev libboost-filesystem-dev nlohmann-json3-dev libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev  # the fuzz targets
+  clang-format-14 clang-tidy-14  # scripts/format.sh and scripts/lint.sh
   chromium                  # opens the pages in the tests
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies

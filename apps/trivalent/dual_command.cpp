@@ -1,13 +1,16 @@
 #include "command.h"
+#include "file_options.h"
 #include "files.h"
-#include "reports.h"
 #include "session.h"
-#include "shell_files.h"
 #include "size_options.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/columns.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/xyz.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/reports.h"
 
 namespace trivalent::apps {
 namespace {
@@ -21,37 +24,44 @@ Grammar grammar_of_dual() {
   return grammar;
 }
 
-void write_network(dual::Structure structure, const Session& session) {
-  const std::filesystem::path output = session.get<std::string>("OUT");
-  if (extension_of(output) == ".data") {
-    dual::write_lammps_data(output, structure,
-                            {.style = atom_style(session), .digits = digits(session)});
-    return;
-  }
+/// Atoms as a file holds them.
+dual::Structure structure_of(const remesh::TriMesh& mesh) {
+  dual::Structure structure = dual::build_dual(mesh);
+  structure.atoms.box = dual::padded_box(structure.atoms.positions);
   dual::replace_columns(structure, dual::network_columns(structure));
-  dual::write_xyz(output, structure, digits(session));
+  return structure;
+}
+
+void write_structure(const std::filesystem::path& output, const dual::Structure& structure,
+                     const dual::LammpsDataOptions& options) {
+  if (extension_of(output) == ".data") {
+    dual::write_lammps_data(output, structure, options);
+  } else {
+    dual::write_xyz(output, structure, options.digits);
+  }
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
   if (!session) return done;
   const dual::DualSize size = dual_size(*session);
-  static_cast<void>(digits(*session));
-  static_cast<void>(atom_style(*session));
+  const dual::LammpsDataOptions options = {.style = atom_style(*session),
+                                           .digits = digits(*session)};
   const auto& output = session->get<std::string>("OUT");
   check_output(output, network_extensions);
 
   remesh::TriMesh mesh = read_mesh_file(session->get<std::string>("MESH"), session->terminal);
   const double scale = dual::scale_for_size(mesh, size);
   remesh::scale(mesh, scale);
-  const dual::Structure structure = dual::build_dual(mesh);
-  write_network(structure, *session);
+  const dual::Structure structure = structure_of(mesh);
+  write_structure(output, structure, options);
 
   const dual::NetworkReport report = dual::check_network(structure);
-  Result result = {.table = {{"wrote", output}, {"scale [Å per unit]", significant(scale, 6)}},
-                   .json = {{"file", output}, {"scale", scale}}};
-  append(result.table, network_rows(report));
-  result.json["network"] = network_json(report);
+  Result result = {
+      .table = {{"wrote", output}, {"scale [Å per unit]", shell::significant(scale, 6)}},
+      .json = {{"file", output}, {"scale", scale}}};
+  shell::append(result.table, shell::network_rows(report));
+  result.json["network"] = shell::network_json(report);
   session->terminal.print(result);
   return done;
 }

@@ -3,29 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 
 #include "session.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::apps {
-namespace {
-
-remesh::ShapeArgument parse_argument(std::string_view text) {
-  const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string_view number = text.substr(std::min(equals + 1, text.size()));
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc{} || end != number.data() + number.size()) {
-    throw UsageError("a shape's parameter is name=number, not '" + std::string(text) + "'");
-  }
-  return {.name = std::string(text.substr(0, equals)), .value = value};
-}
-
-}  // namespace
-
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -63,24 +48,17 @@ void check_folder(const std::filesystem::path& folder) {
                           (is_folder ? " is not writable" : " is not a folder"));
 }
 
-void make_folder(const std::filesystem::path& folder) {
+OutputFolder::OutputFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error && std::filesystem::is_directory(folder, error)) return;
-  throw remesh::FileError("cannot make the folder " + folder.string() + ": " +
+  is_new_ = std::filesystem::create_directories(folder_, error);
+  if (!error && std::filesystem::is_directory(folder_, error)) return;
+  throw remesh::FileError("cannot make the folder " + folder_.string() + ": " +
                           (error ? error.message() : "something else is called so"));
 }
 
-ShapeCall parse_shape(std::string_view text) {
-  const std::size_t colon = std::min(text.find(':'), text.size());
-  ShapeCall call = {.name = std::string(text.substr(0, colon)), .arguments = {}};
-  std::string_view rest = text.substr(std::min(colon + 1, text.size()));
-  while (!rest.empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    call.arguments.push_back(parse_argument(rest.substr(0, comma)));
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  return call;
+OutputFolder::~OutputFolder() {
+  std::error_code error;
+  if (is_new_) std::filesystem::remove(folder_, error);  // refused if it holds anything
 }
 
 std::string shapes_help() {
@@ -94,12 +72,6 @@ std::string shapes_help() {
     }
   }
   return text.str();
-}
-
-bool is_built_in(std::string_view name) {
-  const auto& shapes = remesh::built_in_shapes();
-  return std::any_of(shapes.begin(), shapes.end(),
-                     [&](const remesh::ShapeDescription& shape) { return shape.name == name; });
 }
 
 remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal) {

@@ -9,7 +9,6 @@
 
 #include "terminal.h"
 #include "trivalent/remesh/mesh.h"
-#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::apps {
 
@@ -30,22 +29,22 @@ void check_output(const std::filesystem::path& path, std::span<const std::string
 /// @throws remesh::FileError if something else is called so or it is not writable.
 void check_folder(const std::filesystem::path& folder);
 
-/// @throws remesh::FileError if the folder is not there and cannot be made.
-void make_folder(const std::filesystem::path& folder);
+/// A folder to write into, made if it is missing; if nothing comes into it, it is removed again.
+class OutputFolder {
+ public:
+  /// @throws remesh::FileError if the folder is not there and cannot be made.
+  explicit OutputFolder(std::filesystem::path folder);
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  ~OutputFolder();
 
-/// A built-in shape and its parameters, as in "torus:R=3,r=1".
-struct ShapeCall {
-  std::string name;
-  std::vector<remesh::ShapeArgument> arguments;
+ private:
+  std::filesystem::path folder_;
+  bool is_new_;
 };
-/// @throws UsageError if parameters are not name=number.
-[[nodiscard]] ShapeCall parse_shape(std::string_view text);
 
 /// Names and parameters of all built-in shapes, for --help.
 [[nodiscard]] std::string shapes_help();
-
-/// Whether the name, without parameters, is that of a built-in shape.
-[[nodiscard]] bool is_built_in(std::string_view name);
 
 /// Reads a mesh file, tells the terminal what was changed on the way in.
 [[nodiscard]] remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal);

@@ -1,19 +1,19 @@
 #include "command.h"
 #include "files.h"
-#include "inspection.h"
-#include "reports.h"
+#include "repair_options.h"
 #include "session.h"
 #include "size_options.h"
-#include "surface_input.h"
 #include "trivalent/remesh/error.h"
-#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/shell/inspect.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/reports.h"
 
 namespace trivalent::apps {
 namespace {
 
 void add_target(const remesh::MeshQuality& quality, double target, Result& result) {
   const double ratio = quality.edge_length.mean / target;
-  result.table.push_back({"mean edge / wanted", decimals(ratio, 4)});
+  result.table.push_back({"mean edge / wanted", shell::decimals(ratio, 4)});
   result.json["target_edge_length"] = target;
   result.json["mean_over_target"] = ratio;
 }
@@ -23,25 +23,25 @@ Grammar grammar_of_inspect() {
   grammar.options.add_options()                                                     //
       ("against", po::value<std::string>(), "mesh file to measure distances from")  //
       ("edge", po::value<double>(), "wanted edge length to compare with, in units of the mesh");
-  po::options_description mending("Repair that is thought of");
-  add_repair_options(mending);
-  po::options_description size("Shell that is thought of");
+  po::options_description repair("Planned repair");
+  add_repair_options(repair);
+  po::options_description size("Planned shell");
   add_shell_size_options(size);
-  grammar.options.add(mending).add(size);
+  grammar.options.add(repair).add(size);
   grammar.epilog =
       "Exit codes: 0 sound, 1 mendable (build does it, or says how), 3 hopeless.\n"
       "Indices count from 0, in the order of the file.\n";
   return grammar;
 }
 
-int exit_code_of(Verdict verdict) {
+int exit_code_of(shell::Verdict verdict) {
   constexpr int nothing_to_build_on = 3;
   switch (verdict) {
-    case Verdict::sound:
+    case shell::Verdict::sound:
       return done;
-    case Verdict::mendable:
+    case shell::Verdict::mendable:
       return failed;
-    case Verdict::hopeless:
+    case shell::Verdict::hopeless:
       break;
   }
   return nothing_to_build_on;
@@ -50,24 +50,25 @@ int exit_code_of(Verdict verdict) {
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_inspect());
   if (!session) return done;
-  static_cast<void>(repair_options(*session));
-  static_cast<void>(shell_size(*session));
+  const shell::InspectOptions options = {
+      .shell = {.size = shell_size(*session), .bond = session->get<double>("bond"), .method = {}},
+      .repair = repair_options(*session)};
   const auto target = session->find<double>("edge");
   if (target && !(*target > 0.0)) throw UsageError("--edge must be > 0");
 
   const auto& path = session->get<std::string>("MESH");
-  const Inspection inspection = inspect(path, *session);
+  const shell::Inspection inspection = shell::inspect(path, options);
   session->terminal.notes(inspection.reading_notes);
-  Result result = describe(inspection);
+  Result result = {.table = inspection.rows(), .json = inspection.json()};
   result.json["file"] = path;
   if (target && inspection.mesh) add_target(inspection.quality, *target, result);
   if (const auto original = session->find<std::string>("against")) {
     if (!inspection.mesh) throw remesh::InvalidMesh("inspect: " + inspection.reason);
     const auto distance =
         remesh::measure_distance(*inspection.mesh, read_mesh_file(*original, session->terminal));
-    append(result.table, distance_rows(distance));
+    shell::append(result.table, shell::distance_rows(distance));
     result.json["against"] = *original;
-    result.json["distance"] = distance_json(distance);
+    result.json["distance"] = shell::distance_json(distance);
   }
   session->terminal.print(result);
   return exit_code_of(inspection.verdict);

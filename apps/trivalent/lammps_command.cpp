@@ -1,14 +1,14 @@
 #include <filesystem>
 
 #include "command.h"
+#include "file_options.h"
 #include "files.h"
-#include "lammps_engine.h"
-#include "potential_options.h"
+#include "lammps_options.h"
 #include "session.h"
-#include "shell_files.h"
-#include "structure.h"
+#include "structure_options.h"
 #include "trivalent/formats/lammps_package.h"
 #include "trivalent/potentials/rebo.h"
+#include "trivalent/shell/number_text.h"
 
 namespace trivalent::apps {
 namespace {
@@ -33,9 +33,11 @@ dual::LammpsPackageOptions package_options(const Session& session) {
   if (has_angles && atom_style(session) != dual::AtomStyle::molecular) {
     throw UsageError("--angles needs --atom-style molecular");
   }
+  shell::LammpsOptions lammps;
+  if (const auto file = session.find<std::string>("potential-file")) lammps.potential_file = *file;
   const auto compression = session.has("gzip") ? dual::Compression::gzip : dual::Compression::none;
   return {.data = {.style = atom_style(session), .angles = has_angles, .digits = digits(session)},
-          .potential_file = potential_file(session, "CH.rebo"),
+          .potential_file = potential_file(session, lammps),
           .compression = compression,
           .atoms_per_file = session.get<std::size_t>("atoms-per-file")};
 }
@@ -44,19 +46,20 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_lammps());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which folder the files go");
-  check_structure_options(*session);
+  const shell::StructureOptions reading = structure_options(*session);
   const dual::LammpsPackageOptions options = package_options(*session);
   const std::filesystem::path folder = session->get<std::string>("output");
   check_folder(folder);
 
-  const dual::Structure structure = read_structure(session->get<std::string>("NETWORK"), *session);
+  const dual::Structure structure =
+      read_structure(session->get<std::string>("NETWORK"), reading, session->terminal);
   const double energy = potentials::rebo(structure.atoms).energy;
-  make_folder(folder);
+  const OutputFolder made(folder);
   const auto names = dual::write_lammps_package(folder, structure, energy, options);
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   session->terminal.print({.table = {{"atoms", std::to_string(structure.atoms.size())},
-                                     {"energy", decimals(energy, 8) + " eV"},
+                                     {"energy", shell::decimals(energy, 8) + " eV"},
                                      {"folder", folder.string()},
                                      {"files", list},
                                      {"next", "cd " + folder.string() + " && lmp -in in.check"}},

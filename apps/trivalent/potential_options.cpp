@@ -1,91 +1,45 @@
 #include "potential_options.h"
 
-#include <array>
-#include <string_view>
-
-#include "trivalent/dual/energy_summary.h"
-#include "trivalent/dual/graphene.h"
-#include "trivalent/potentials/airebo.h"
-#include "trivalent/potentials/lennard_jones.h"
-#include "trivalent/potentials/rebo.h"
+#include "trivalent/dual/error.h"
 
 namespace trivalent::apps {
 namespace {
 
-potentials::LennardJonesOptions lennard_jones_options(const Session& session) {
-  return {.epsilon = session.get<double>("lj-epsilon"),
-          .sigma = session.get<double>("lj-sigma"),
-          .cutoff = session.get<double>("lj-cutoff"),
-          .shift = session.has("lj-shift")};
-}
-
-using PotentialPointer = std::unique_ptr<potentials::Potential>;
-
-/// A potential as the command line knows it.
-struct Potential {
-  std::string_view name;
-  PotentialPointer (*make)(const Session&);
-};
-
-constexpr std::array potentials_by_name = {
-    Potential{
-        "rebo",
-        [](const Session&) -> PotentialPointer { return std::make_unique<potentials::Rebo>(); }},
-    Potential{
-        "airebo",
-        [](const Session&) -> PotentialPointer { return std::make_unique<potentials::Airebo>(); }},
-    Potential{"lj",
-              [](const Session& session) -> PotentialPointer {
-                return std::make_unique<potentials::LennardJones>(lennard_jones_options(session));
-              }},
-};
-
-const Potential& chosen_potential(const Session& session) {
-  const auto& name = session.get<std::string>("potential");
-  for (const Potential& potential : potentials_by_name) {
-    if (potential.name == name) return potential;
+/// As in "rebo: second-generation REBO; lj: Lennard-Jones".
+std::string potentials_help() {
+  std::string text;
+  for (const shell::KnownPotential& potential : shell::known_potentials()) {
+    text += (text.empty() ? "" : "; ") + std::string(potential.name) + ": " +
+            std::string(potential.meaning);
   }
-  throw UsageError("--potential is rebo, airebo or lj, not '" + name + "'");
+  return text;
 }
 
 }  // namespace
 
 void add_potential_options(po::options_description& options) {
-  const potentials::LennardJonesOptions defaults;
-  options.add_options()  //
-      ("potential", with_default(std::string(potentials_by_name.front().name)),
-       "rebo: second-generation REBO; airebo: AIREBO with all its terms; lj: Lennard-Jones")  //
-      ("lj-epsilon", with_default(defaults.epsilon), "depth of the well [eV]")                //
-      ("lj-sigma", with_default(defaults.sigma), "distance of zero energy [Å]")               //
-      ("lj-cutoff", with_default(defaults.cutoff), "range [Å]")                               //
-      ("lj-shift", "shift energies to 0 at the cutoff");
+  const shell::PotentialChoice defaults;
+  const potentials::LennardJonesOptions& lj = defaults.lennard_jones;
+  options.add_options()                                                        //
+      ("potential", with_default(defaults.name), potentials_help().c_str())    //
+      ("lj-epsilon", with_default(lj.epsilon), "lj: depth of the well [eV]")   //
+      ("lj-sigma", with_default(lj.sigma), "lj: distance of zero energy [Å]")  //
+      ("lj-cutoff", with_default(lj.cutoff), "lj: range [Å]")                  //
+      ("lj-shift", "lj: shift energies to 0 at the cutoff");
 }
 
-void check_potential(const Session& session) { static_cast<void>(chosen_potential(session)); }
-
-std::unique_ptr<potentials::Potential> make_potential(const Session& session) {
-  return chosen_potential(session).make(session);
+shell::PotentialChoice potential_choice(const Session& session) {
+  shell::PotentialChoice choice = {.name = session.get<std::string>("potential"),
+                                   .lennard_jones = {.epsilon = session.get<double>("lj-epsilon"),
+                                                     .sigma = session.get<double>("lj-sigma"),
+                                                     .cutoff = session.get<double>("lj-cutoff"),
+                                                     .shift = session.has("lj-shift")}};
+  try {
+    static_cast<void>(shell::find_potential(choice));
+  } catch (const dual::InvalidOption& error) {
+    throw UsageError(std::string("--potential: ") + error.what());
+  }
+  return choice;
 }
-
-potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const Session& session) {
-  return make_potential(session)->evaluate(atoms);
-}
-
-std::string potential_text(const Session& session) {
-  const auto lj = lennard_jones_options(session);
-  std::ostringstream text;
-  text.precision(17);
-  text << chosen_potential(session).name << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff
-       << ' ' << lj.shift;
-  return text.str();
-}
-
-double graphene_reference(const Session& session) {
-  if (is_rebo(session)) return dual::graphene_energy;
-  const potentials::Atoms cell = dual::graphene_cell();
-  return evaluate(cell, session).energy / static_cast<double>(cell.size());
-}
-
-bool is_rebo(const Session& session) { return chosen_potential(session).name == "rebo"; }
 
 }  // namespace trivalent::apps

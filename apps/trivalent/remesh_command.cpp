@@ -1,11 +1,13 @@
 #include "command.h"
 #include "files.h"
 #include "remesh_options.h"
-#include "reports.h"
+#include "repair_options.h"
 #include "session.h"
-#include "surface_input.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/shell/build.h"
+#include "trivalent/shell/reports.h"
+#include "trivalent/shell/surface_source.h"
 
 namespace trivalent::apps {
 namespace {
@@ -25,35 +27,38 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session) return done;
   if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
   const auto edge = session->get<double>("edge");
+  remesh::RemeshMethod method = remesh_method(*session);
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 
-  const remesh::RepairResult input = read_surface(session->get<std::string>("IN"), *session,
-                                                  [edge](const remesh::TriMesh&) { return edge; });
+  remesh::RepairOptions repair = repair_options(*session);
+  repair.edge_length_on = [edge](const remesh::TriMesh&) { return edge; };
+  const remesh::RepairResult input =
+      remesh::repair(shell::read_soup(session->get<std::string>("IN")), repair);
   session->terminal.notes(input.notes);
   const remesh::TriMesh& original = input.mesh;
   std::optional<StopRequest> stop;
-  const remesh::RemeshResult remeshed =
-      remesh::remesh_by(original, remesh_method(*session, stop), edge);
+  if (can_stop_early(method)) stop_with(method, stop.emplace());
+  const remesh::RemeshResult remeshed = remesh::remesh_by(original, method, edge);
   const int exit_code = remeshed.stopped ? stop->exit_code() : done;
   stop.reset();
-  if (remeshed.stopped) session->terminal.note("note: " + stopped_note(remeshed));
+  if (remeshed.stopped) session->terminal.note("note: " + shell::stopped_note(remeshed));
   remesh::write_mesh(remeshed.mesh, output);
 
   const auto quality = remesh::measure_quality(remeshed.mesh);
   const auto distance = remesh::measure_distance(remeshed.mesh, original);
   Result result = {.table = {{"wrote", output}}, .json = {{"file", output}}};
-  append(result.table, quality_rows(quality));
-  append(result.table, net_rows(remeshed));
-  append(result.table, distance_rows(distance));
+  shell::append(result.table, shell::quality_rows(quality));
+  shell::append(result.table, shell::net_rows(remeshed));
+  shell::append(result.table, shell::distance_rows(distance));
   result.json["notes"] = input.notes;
   result.json["wrap_offset"] = input.offset;
   result.json["iterations"] = remeshed.iterations;
-  result.json["net"] = net_json(remeshed);
+  result.json["net"] = shell::net_json(remeshed);
   result.json["stopped"] = remeshed.stopped;
   result.json["target_edge_length"] = edge;
-  result.json["quality"] = quality_json(quality);
-  result.json["distance"] = distance_json(distance);
+  result.json["quality"] = shell::quality_json(quality);
+  result.json["distance"] = shell::distance_json(distance);
   session->terminal.print(result);
   return exit_code;
 }

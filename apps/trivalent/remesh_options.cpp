@@ -5,25 +5,15 @@
 namespace trivalent::apps {
 namespace {
 
-constexpr const char* hard = "hard";
-constexpr const char* least_squares = "least-squares";
+enum class Method { crystal, paper };
 
-const char* name_of(remesh::Restriction restriction) {
-  return restriction == remesh::Restriction::hard ? hard : least_squares;
-}
-
-remesh::Restriction restriction_called(const std::string& name) {
-  if (name == hard) return remesh::Restriction::hard;
-  if (name == least_squares) return remesh::Restriction::least_squares;
-  throw UsageError("--restriction is hard or least-squares, not '" + name + "'");
-}
-
-remesh::Effort effort_called(const std::string& name) {
-  if (name == "quick") return remesh::Effort::quick;
-  if (name == "normal") return remesh::Effort::normal;
-  if (name == "thorough") return remesh::Effort::thorough;
-  throw UsageError("--effort is quick, normal or thorough, not '" + name + "'");
-}
+constexpr shell::Names<Method, 2> methods = {
+    {{"crystal", Method::crystal}, {"paper", Method::paper}}};
+constexpr shell::Names<remesh::Effort, 3> efforts = {{{"quick", remesh::Effort::quick},
+                                                      {"normal", remesh::Effort::normal},
+                                                      {"thorough", remesh::Effort::thorough}}};
+constexpr shell::Names<remesh::Restriction, 2> restrictions = {
+    {{"hard", remesh::Restriction::hard}, {"least-squares", remesh::Restriction::least_squares}}};
 
 std::optional<double> feature_angle(const Session& session) {
   const auto degrees = session.find<double>("feature-angle");
@@ -43,15 +33,12 @@ void refuse_options(const Session& session, std::initializer_list<const char*> n
   }
 }
 
-remesh::CrystalOptions crystal_options(const Session& session, std::optional<StopRequest>& stop) {
+remesh::CrystalOptions crystal_options(const Session& session) {
   refuse_options(session, {"iterations", "rings", "sigma", "restriction"});
   if (session.get<int>("seed") < 0) throw UsageError("--seed must not be negative");
   remesh::CrystalOptions options;
-  options.effort = effort_called(session.get<std::string>("effort"));
+  options.effort = named_value(session, "effort", efforts);
   options.seed = static_cast<std::uint64_t>(session.get<int>("seed"));
-  stop.emplace();
-  stop->answer_in_time();
-  options.should_stop = [&stop] { return stop->is_made(); };
   return options;
 }
 
@@ -61,7 +48,7 @@ remesh::RemeshOptions paper_options(const Session& session) {
   options.iterations = session.get<int>("iterations");
   options.rings = session.get<int>("rings");
   options.tolerance = session.get<double>("sigma");
-  options.restriction = restriction_called(session.get<std::string>("restriction"));
+  options.restriction = named_value(session, "restriction", restrictions);
   return options;
 }
 
@@ -79,10 +66,10 @@ remesh::RemeshMethod completed(Options options, const Session& session) {
 void add_remesh_options(po::options_description& options) {
   const remesh::RemeshOptions defaults;
   options.add_options()  //
-      ("method", with_default(std::string("crystal")),
+      ("method", with_default_name(Method::crystal, methods),
        "crystal: few defects, where curvature wants them; paper: split, collapse, flip, relax, "
        "project")  //
-      ("effort", with_default(std::string("normal")),
+      ("effort", with_default_name(remesh::Effort::normal, efforts),
        "crystal: how long to search, quick, normal or thorough")  //
       ("seed", with_default(0), "crystal: of the random moves")   //
       ("feature-angle", po::value<double>(),
@@ -92,20 +79,25 @@ void add_remesh_options(po::options_description& options) {
        "paper: k, 1 to 8, rings of neighbors in the relaxation")  //
       ("sigma", with_default(defaults.tolerance),
        "paper: edges within this fraction of the target length are left alone, between 0 and 1")  //
-      ("restriction", with_default(std::string(name_of(defaults.restriction))),
+      ("restriction", with_default_name(defaults.restriction, restrictions),
        "paper: how vertices are kept in their tangent planes: hard or least-squares");
 }
 
-remesh::RemeshMethod remesh_method(const Session& session, std::optional<StopRequest>& stop) {
-  const auto& method = session.get<std::string>("method");
-  if (method == "crystal") return completed(crystal_options(session, stop), session);
-  if (method == "paper") return completed(paper_options(session), session);
-  throw UsageError("--method is crystal or paper, not '" + method + "'");
+remesh::RemeshMethod remesh_method(const Session& session) {
+  return named_value(session, "method", methods) == Method::crystal
+             ? completed(crystal_options(session), session)
+             : completed(paper_options(session), session);
 }
 
-std::string stopped_note(const remesh::RemeshResult& result) {
-  return "stopped after " + std::to_string(result.iterations) +
-         " rounds, as asked; this is the best net so far";
+bool can_stop_early(const remesh::RemeshMethod& method) {
+  return std::holds_alternative<remesh::CrystalOptions>(method);
+}
+
+void stop_with(remesh::RemeshMethod& method, const StopRequest& stop) {
+  if (auto* crystal = std::get_if<remesh::CrystalOptions>(&method)) {
+    stop.answer_in_time();
+    crystal->should_stop = [&stop] { return stop.is_made(); };
+  }
 }
 
 }  // namespace trivalent::apps

@@ -6,12 +6,17 @@
 #include "report_page.h"
 #include "session.h"
 #include "states.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/reports.h"
 #include "trivalent/view/picture.h"
 
 namespace trivalent::apps {
 namespace {
 
 constexpr std::array<std::string_view, 1> picture_extensions = {".png"};
+
+constexpr shell::Names<dual::PictureStyle, 2> styles = {
+    {{"atoms", dual::PictureStyle::atoms}, {"rings", dual::PictureStyle::rings}}};
 
 Grammar grammar_of_render() {
   const dual::PictureOptions defaults;
@@ -20,7 +25,7 @@ Grammar grammar_of_render() {
       ("output,o", po::value<std::string>(), "the picture, .png; must be given")(
           "color", with_default(defaults.map),
           "energy, excess_energy, ring_size, coordination, bond_strain, pyramidalization, "
-          "displacement")("style", with_default(std::string("atoms")),
+          "displacement")("style", with_default_name(defaults.style, styles),
                           "atoms: balls and sticks; rings: polygons")(
           "size", with_default(std::string("1200x900")), "width x height [pixel]")(
           "azimuth", with_default(defaults.azimuth), "turn about the vertical y axis [degree]")(
@@ -32,13 +37,6 @@ Grammar grammar_of_render() {
           "dark", "draw on a dark background");
   add_states_options(grammar);
   return grammar;
-}
-
-dual::PictureStyle picture_style(const Session& session) {
-  const auto& name = session.get<std::string>("style");
-  if (name == "atoms") return dual::PictureStyle::atoms;
-  if (name == "rings") return dual::PictureStyle::rings;
-  throw UsageError("--style is atoms or rings, not '" + name + "'");
 }
 
 /// "1200x900" as width and height.
@@ -61,7 +59,7 @@ dual::PictureOptions picture_options(const Session& session) {
   dual::PictureOptions options = {.width = width,
                                   .height = height,
                                   .map = session.get<std::string>("color"),
-                                  .style = picture_style(session),
+                                  .style = named_value(session, "style", styles),
                                   .azimuth = session.get<double>("azimuth"),
                                   .elevation = session.get<double>("elevation"),
                                   .roll = session.get<double>("roll"),
@@ -78,10 +76,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session->has("output")) throw UsageError("-o must say where the picture goes");
   const std::filesystem::path output = session->get<std::string>("output");
   check_output(output, picture_extensions);
-  check_states_options(*session);
+  const StatesRequest request = states_request(*session);
   const dual::PictureOptions options = picture_options(*session);
 
-  const auto states = read_states(*session);
+  const auto states = read_states(request, session->terminal);
   dual::write_png(output, dual::draw_states(states, options));
   const dual::AtomMap& map = *states.back().find(options.map);
   Result result = {.table = {{"picture", output.string()}}, .json = {{"picture", output.string()}}};
@@ -89,9 +87,9 @@ int run(const Command& self, std::span<const std::string> arguments) {
     dual::ColorScale scale = map.scale;
     scale.low = options.low.value_or(scale.low);
     scale.high = options.high.value_or(scale.high);
-    result.table.push_back({map.title, significant(scale.low, 6) + " to " +
-                                           significant(scale.high, 6) + ' ' + map.unit});
-    result.json["scale"] = scale_json(scale);
+    result.table.push_back({map.title, shell::significant(scale.low, 6) + " to " +
+                                           shell::significant(scale.high, 6) + ' ' + map.unit});
+    result.json["scale"] = shell::scale_json(scale);
   }
   session->terminal.print(result);
   return done;

@@ -1,24 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
-#include "reports.h"
 #include "terminal.h"
 #include "trivalent/view/shell_page.h"
 
 namespace trivalent::apps {
 
-/// Puts the page's data into the viewer; `program` is filled in.
+/// What pages name as their maker.
+inline constexpr const char* program_name = "trivalent " TRIVALENT_VERSION;
+
+/// Writes a page with the program's viewer in it; `program` is filled in.
 void write_page(const std::filesystem::path& path, dual::ShellPage page);
 
-/// Rows of a result as a page shows them.
-[[nodiscard]] std::vector<dual::PageRow> page_rows(const std::vector<TableRow>& rows);
-
-/// The same of options and other flat JSON objects.
-[[nodiscard]] std::vector<dual::PageRow> page_rows(const Json& object);
-
-/// A color scale, as in report.json.
-[[nodiscard]] Json scale_json(const dual::ColorScale& scale);
+/// Options and other flat JSON objects as rows.
+[[nodiscard]] std::vector<TableRow> page_rows(const Json& object);
 
 }  // namespace trivalent::apps

@@ -74,4 +74,14 @@ std::optional<Session> start(const Command& command, std::span<const std::string
   return Session{std::move(values), terminal, std::move(thread_limit)};
 }
 
+Json options_json(const Session& session) {
+  Json json = Json::object();
+  for (const auto& [name, value] : session.values) {
+    if (const auto* text = boost::any_cast<std::string>(&value.value())) json[name] = *text;
+    if (const auto* number = boost::any_cast<double>(&value.value())) json[name] = *number;
+    if (const auto* count = boost::any_cast<int>(&value.value())) json[name] = *count;
+  }
+  return json;
+}
+
 }  // namespace trivalent::apps

@@ -13,6 +13,7 @@
 
 #include "command.h"
 #include "terminal.h"
+#include "trivalent/shell/names.h"
 
 namespace trivalent::apps {
 
@@ -56,12 +57,33 @@ struct Session {
                                            std::span<const std::string> arguments,
                                            const Grammar& grammar);
 
+/// The options that were given or have a default, by name; flags are left out.
+[[nodiscard]] Json options_json(const Session& session);
+
 /// An option's value with a default that --help shows as a person would write it.
 template <typename Value>
 [[nodiscard]] po::typed_value<Value>* with_default(const Value& value) {
   std::ostringstream text;
   text << value;
   return po::value<Value>()->default_value(value, text.str());
+}
+
+/// The same for an option that takes a name out of a table.
+template <typename Value, std::size_t n>
+[[nodiscard]] po::typed_value<std::string>* with_default_name(Value value,
+                                                              const shell::Names<Value, n>& names) {
+  return with_default(std::string(shell::name_of(value, names)));
+}
+
+/// The value that an option names.
+///
+/// @throws UsageError if the table lacks the name.
+template <typename Value, std::size_t n>
+[[nodiscard]] Value named_value(const Session& session, const std::string& option,
+                                const shell::Names<Value, n>& names) {
+  const auto& name = session.get<std::string>(option);
+  if (const auto value = shell::value_named(name, names)) return *value;
+  throw UsageError("--" + option + " is " + shell::list_of(names) + ", not '" + name + "'");
 }
 
 }  // namespace trivalent::apps

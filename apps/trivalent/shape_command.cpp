@@ -1,8 +1,9 @@
 #include "command.h"
 #include "files.h"
-#include "reports.h"
 #include "session.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/surface_source.h"
 
 namespace trivalent::apps {
 namespace {
@@ -14,7 +15,7 @@ Result describe(const remesh::TriMesh& mesh, const std::string& output) {
   return {.table = {{"wrote", output},
                     {"vertices", std::to_string(mesh.n_vertices())},
                     {"faces", std::to_string(mesh.n_faces())},
-                    {"mean edge", significant(remesh::mean_edge_length(mesh))}},
+                    {"mean edge", shell::significant(remesh::mean_edge_length(mesh))}},
           .json = {{"file", output},
                    {"vertices", mesh.n_vertices()},
                    {"faces", mesh.n_faces()},
@@ -33,7 +34,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
 
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
-  const ShapeCall call = parse_shape(session->get<std::string>("NAME"));
+  const shell::ShapeCall call = shell::parse_shape(session->get<std::string>("NAME"));
   const remesh::TriMesh mesh =
       remesh::make_shape(call.name, call.arguments, session->get<double>("edge"));
   remesh::write_mesh(mesh, output);

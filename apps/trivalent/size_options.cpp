@@ -1,6 +1,7 @@
 #include "size_options.h"
 
 #include <initializer_list>
+#include "trivalent/shell/number_text.h"
 
 namespace trivalent::apps {
 namespace {
@@ -40,8 +41,8 @@ dual::ShellSize shell_size(const Session& session) {
 }
 
 void add_dual_size_options(po::options_description& options) {
-  const std::string bond_help =
-      "mean bond length [Å]; default, if no size is given: " + significant(dual::MeanBond().length);
+  const std::string bond_help = "mean bond length [Å]; default, if no size is given: " +
+                                shell::significant(dual::MeanBond().length);
   options.add_options()                             //
       ("length", po::value<double>(), length_help)  //
       ("scale", po::value<double>(), scale_help)    //

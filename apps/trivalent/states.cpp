@@ -3,20 +3,10 @@
 #include <filesystem>
 
 #include "potential_options.h"
-#include "structure.h"
+#include "structure_options.h"
+#include "trivalent/shell/evaluate.h"
 
 namespace trivalent::apps {
-namespace {
-
-dual::ShellState read_state(const std::string& path, const Session& session) {
-  dual::ShellState state = dual::shell_state(std::filesystem::path(path).filename().string(),
-                                             read_structure(path, session));
-  dual::add_energies(state, evaluate(state.structure.atoms, session).energies,
-                     graphene_reference(session));
-  return state;
-}
-
-}  // namespace
 
 void add_states_options(Grammar& grammar) {
   grammar.list = "FILE";
@@ -31,22 +21,28 @@ void add_states_options(Grammar& grammar) {
       "one shell, first to last: they are compared in the colors of the last.\n";
 }
 
-void check_states_options(const Session& session) {
-  check_structure_options(session);
-  check_potential(session);
-  const auto names = session.find<std::vector<std::string>>("name");
-  if (names && names->size() != session.get<std::vector<std::string>>("FILE").size()) {
-    throw UsageError("--name must be given once for every file, or not at all");
+StatesRequest states_request(const Session& session) {
+  StatesRequest request = {
+      .files = session.get<std::vector<std::string>>("FILE"),
+      .names = session.find<std::vector<std::string>>("name").value_or(std::vector<std::string>{}),
+      .reading = structure_options(session),
+      .potential = potential_choice(session)};
+  if (request.names.empty()) {
+    for (const std::string& file : request.files) {
+      request.names.push_back(std::filesystem::path(file).filename().string());
+    }
   }
+  if (request.names.size() == request.files.size()) return request;
+  throw UsageError("--name must be given once for every file, or not at all");
 }
 
-std::vector<dual::ShellState> read_states(const Session& session) {
+std::vector<dual::ShellState> read_states(const StatesRequest& request, const Terminal& terminal) {
   std::vector<dual::ShellState> states;
-  for (const auto& path : session.get<std::vector<std::string>>("FILE")) {
-    states.push_back(read_state(path, session));
-  }
-  if (const auto names = session.find<std::vector<std::string>>("name")) {
-    for (std::size_t i = 0; i < states.size(); ++i) states[i].name = (*names)[i];
+  for (std::size_t i = 0; i < request.files.size(); ++i) {
+    states.push_back(shell::evaluate(read_structure(request.files[i], request.reading, terminal),
+                                     {.potential = request.potential})
+                         .state);
+    states.back().name = request.names[i];
   }
   const potentials::Atoms& first = states.front().structure.atoms;
   const potentials::Atoms& last = states.back().structure.atoms;

@@ -3,12 +3,16 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <sstream>
 
+#include "trivalent/shell/number_text.h"
+
 namespace trivalent::apps {
 namespace {
+
+using shell::percent;
+using shell::significant;
 
 constexpr std::string_view clear_line = "\r\x1b[K";
 
@@ -66,7 +70,7 @@ void Terminal::progress(const std::string& line) const {
 
 void Terminal::print(const Result& result) const {
   if (result_kind_ == ResultKind::json) {
-    std::cout << json_text(result.json);
+    std::cout << shell::json_text(result.json);
     return;
   }
   std::size_t width = 0;
@@ -79,24 +83,6 @@ void Terminal::print(const Result& result) const {
     const std::string filler(width + 2 - display_width(row.name), ' ');
     std::cout << "  " << row.name << filler << row.value << '\n';
   }
-}
-
-std::string json_text(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
-}
-
-std::string decimals(double value, int n_decimals) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(n_decimals) << value;
-  return text.str();
-}
-
-std::string percent(double fraction) { return decimals(100.0 * fraction, 1) + " %"; }
-
-std::string significant(double value, int n_digits) {
-  std::ostringstream text;
-  text << std::setprecision(n_digits) << value;
-  return text.str();
 }
 
 }  // namespace trivalent::apps

@@ -6,22 +6,21 @@
 #include <vector>
 
 #include "trivalent/remesh/remesh.h"
+#include "trivalent/shell/json.h"
+#include "trivalent/view/table_row.h"
 
 namespace trivalent::apps {
 
 enum class Remarks { all, none };
 enum class ResultKind { table, json };
 
-/// A line of a result as people read it; without a value it is a heading.
-struct TableRow {
-  std::string name;
-  std::string value = {};
-};
+using dual::TableRow;
+using shell::Json;
 
 /// A result in both forms.
 struct Result {
   std::vector<TableRow> table;
-  nlohmann::ordered_json json;
+  Json json;
 };
 
 /// Where the program talks: results to standard output, all else to standard error.
@@ -43,13 +42,5 @@ class Terminal {
   Remarks remarks_;
   ResultKind result_kind_;
 };
-
-/// JSON text with an end of line; characters that are not UTF-8 (in file names) are replaced.
-[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
-
-/// Numbers as people read them: fixed decimals, a percentage, or a few significant digits.
-[[nodiscard]] std::string decimals(double value, int n_decimals);
-[[nodiscard]] std::string percent(double fraction);
-[[nodiscard]] std::string significant(double value, int n_digits = 4);
 
 }  // namespace trivalent::apps

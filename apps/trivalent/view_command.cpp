@@ -6,6 +6,8 @@
 #include "session.h"
 #include "states.h"
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/reports.h"
 #include "trivalent/view/shell_page.h"
 
 namespace trivalent::apps {
@@ -24,16 +26,16 @@ Grammar grammar_of_view() {
   return grammar;
 }
 
-std::vector<dual::PageRow> energy_rows(const std::vector<dual::ShellState>& states) {
-  std::vector<dual::PageRow> rows;
+std::vector<TableRow> energy_rows(const std::vector<dual::ShellState>& states) {
+  std::vector<TableRow> rows;
   for (const dual::ShellState& state : states) {
     const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
     rows.push_back({state.name});
     rows.push_back({"atoms", std::to_string(state.structure.atoms.size())});
-    rows.push_back({"energy", decimals(summary.total, 6) + " eV"});
-    rows.push_back({"per atom", decimals(summary.mean, 6) + " eV"});
-    rows.push_back({"lowest, highest",
-                    decimals(summary.lowest, 4) + ", " + decimals(summary.highest, 4) + " eV"});
+    rows.push_back({"energy", shell::decimals(summary.total, 6) + " eV"});
+    rows.push_back({"per atom", shell::decimals(summary.mean, 6) + " eV"});
+    rows.push_back({"lowest, highest", shell::decimals(summary.lowest, 4) + ", " +
+                                           shell::decimals(summary.highest, 4) + " eV"});
   }
   return rows;
 }
@@ -45,15 +47,17 @@ Result describe(const std::vector<dual::ShellState>& states, const std::filesyst
   for (const dual::ShellState& state : states) {
     const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
     result.table.push_back({state.name, std::to_string(state.structure.atoms.size()) +
-                                            " atoms, mean " + decimals(summary.mean, 4) + " eV"});
+                                            " atoms, mean " + shell::decimals(summary.mean, 4) +
+                                            " eV"});
     result.json["states"].push_back({{"name", state.name},
                                      {"atoms", state.structure.atoms.size()},
                                      {"energy", summary.total},
                                      {"highest", summary.highest}});
   }
-  result.json["scale"] = scale_json(states.back().find("energy")->scale);
+  result.json["scale"] = shell::scale_json(states.back().find("energy")->scale);
   result.table.push_back(
-      {"page", page.string() + ", " + decimals(1e-6 * static_cast<double>(bytes), 2) + " MB"});
+      {"page",
+       page.string() + ", " + shell::decimals(1e-6 * static_cast<double>(bytes), 2) + " MB"});
   return result;
 }
 
@@ -63,9 +67,9 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session->has("output")) throw UsageError("-o must say where the page goes");
   const std::filesystem::path output = session->get<std::string>("output");
   check_output(output, page_extensions);
-  check_states_options(*session);
+  const StatesRequest request = states_request(*session);
 
-  dual::ShellPage page = {.title = {}, .states = read_states(*session)};
+  dual::ShellPage page = {.title = {}, .states = read_states(request, session->terminal)};
   page.title = session->find<std::string>("title").value_or(page.states.back().name);
   if (const auto surface = session->find<std::string>("surface")) {
     page.surface = read_mesh_file(*surface, session->terminal);

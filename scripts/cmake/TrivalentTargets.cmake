@@ -26,7 +26,7 @@ function(trivalent_add_library name)
 endfunction()
 
 # Compiles once what nearly every file of a target includes: a third of the build time otherwise.
-# trivalent_precompile(target EIGEN | MESH | PROGRAM | TEST): vectors; and meshes; and options and JSON, or GoogleTest.
+# trivalent_precompile(target EIGEN | MESH | JSON | PROGRAM | TEST): vectors; and meshes; and JSON; options too; or GoogleTest.
 # A target with the compiler flags of an earlier one shares its headers: trivalent_precompile(target LIKE earlier).
 function(trivalent_precompile target headers)
   if(headers STREQUAL "LIKE")
@@ -43,6 +43,8 @@ function(trivalent_precompile target headers)
   list(APPEND list <Eigen/Core>)
   if(headers STREQUAL "PROGRAM")
     list(APPEND list <boost/program_options.hpp> <nlohmann/json.hpp>)
+  elseif(headers STREQUAL "JSON")
+    list(APPEND list <nlohmann/json.hpp>)
   elseif(headers STREQUAL "TEST")
     list(APPEND list <gtest/gtest.h>)
   endif()

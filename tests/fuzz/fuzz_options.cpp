@@ -21,8 +21,7 @@ void read_arguments(const std::vector<std::string>& words) {
   add_remesh_options(grammar.options);
   const auto session = start(command, words, grammar);
   if (!session) return;
-  std::optional<StopRequest> stop;
-  static_cast<void>(remesh_method(*session, stop));
+  static_cast<void>(remesh_method(*session));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ foreach(kind off obj ply stl vtk vtp vtu xyz)
 endforeach()
 trivalent_add_replay(repair fuzz_repair.cpp trivalent::remesh)
 trivalent_add_replay(atoms fuzz_atoms.cpp trivalent::formats)
-trivalent_add_replay(options fuzz_options.cpp trivalent::remesh Boost::program_options
+trivalent_add_replay(options fuzz_options.cpp trivalent::shell Boost::program_options
                      nlohmann_json::nlohmann_json TBB::tbb)
 set(apps ${PROJECT_SOURCE_DIR}/apps/trivalent)
 target_include_directories(replay_options PRIVATE ${apps})

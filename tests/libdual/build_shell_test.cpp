@@ -114,5 +114,21 @@ TEST(EstimateShell, ThrowsOnAMeshWithoutAnArea) {
   EXPECT_THROW(static_cast<void>(estimate_shell(sheet, {.method = {}})), InvalidNetwork);
 }
 
+TEST(BuildShell, ReportsProgressThatNeverGoesBack) {
+  std::vector<remesh::RemeshProgress> states;
+  remesh::RemeshOptions method;
+  method.iterations = 5;
+  method.on_progress = [&](const remesh::RemeshProgress& state) { states.push_back(state); };
+  const Shell shell = build_shell(remesh::make_shape("sphere", {}, 0.2),
+                                  {.size = AtomCount{500}, .method = method});
+  ASSERT_GE(states.size(), 5u);
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    EXPECT_GE(states[i].iteration, states[i - 1].iteration);
+    EXPECT_LE(states[i].iteration, states[i].iterations);
+  }
+  EXPECT_EQ(states.back().iteration, states.back().iterations);
+  EXPECT_EQ(states.back().iteration, 5 * shell.remeshings);
+}
+
 }  // namespace
 }  // namespace trivalent::dual

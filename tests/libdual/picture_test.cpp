@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 
-#include "picture/stroke_font.h"
+#include "flat_drawing.h"
 #include "small_meshes.h"
+#include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/dual_size.h"
 
@@ -109,29 +111,75 @@ TEST(DrawStates, ThrowsOnOptionsThatMakeNoSense) {
   EXPECT_THROW(static_cast<void>(draw_states({}, small_picture())), InvalidNetwork);
 }
 
-TEST(StrokeText, WritesOnTheBaseline) {
-  for (const char* text : {"A", "energy [eV]", "Å", "−7.39", "20°", "\xff\xfe", ""}) {
-    const StrokedText strokes = stroke_text(text);
-    for (const Polyline& stroke : strokes.strokes) {
-      for (const Eigen::Vector2d& point : stroke) {
-        EXPECT_GE(point.x(), 0.0) << text;
-        EXPECT_LE(point.x(), strokes.width + 1e-9) << text;
-        EXPECT_GE(point.y(), -0.35) << text;
-        EXPECT_LE(point.y(), 1.35) << text;
-      }
+/// Pixels that are not as the background.
+int inked(const Picture& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      count += pixel(picture, x, y) != std::array<int, 3>{255, 255, 255} ? 1 : 0;
     }
   }
-  EXPECT_GT(stroke_text("WWW").width, stroke_text("iii").width);
-  EXPECT_EQ(stroke_text("Å").strokes.size(), 3u);
+  return count;
 }
 
-TEST(StrokeText, KnowsAllOfAscii) {
-  const auto box = stroke_text("\xc3\xbf").strokes;
-  for (char c = '!'; c <= '~'; ++c) {
-    const auto strokes = stroke_text(std::string(1, c)).strokes;
-    EXPECT_FALSE(strokes.empty()) << c;
-    EXPECT_NE(strokes, box) << c;
+/// What is written in black on white, in letters of 20 pixels.
+Picture written(const std::string& text) {
+  Picture blank = {.width = 400, .height = 60, .pixels = {}};
+  blank.pixels.assign(3u * 400 * 60, 255);
+  FlatDrawing drawing(blank);
+  drawing.set_letters(20.0);
+  drawing.write(text, 10.0, 40.0, {0, 0, 0});
+  return drawing.picture();
+}
+
+TEST(FlatDrawing, WritesOnTheBaseline) {
+  const Picture picture = written("H");
+  int top = picture.height;
+  int bottom = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (pixel(picture, x, y)[0] > 127) continue;
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
   }
+  EXPECT_NEAR(top, 20, 1);
+  EXPECT_NEAR(bottom, 39, 1);
+}
+
+TEST(FlatDrawing, WritesAnyText) {
+  for (const char* text : {"energy [eV]", "Å", "−7.39", "20°", "broken \xff\xfe"}) {
+    EXPECT_GT(inked(written(text)), 20) << text;
+  }
+  EXPECT_EQ(inked(written("")), 0);
+}
+
+TEST(FlatDrawing, FillsWithTheColorsOfAScale) {
+  Picture blank = {.width = 101, .height = 10, .pixels = {}};
+  blank.pixels.assign(3u * 101 * 10, 255);
+  const ColorScale scale = {
+      .low = 0.0, .high = 1.0, .colors = {{255, 0, 0}, {0, 0, 0}, {0, 0, 255}}};
+  FlatDrawing drawing(blank);
+  drawing.fill({.left = 0.0, .top = 0.0, .width = 101.0, .height = 5.0}, scale);
+  const Picture picture = drawing.picture();
+  for (int x = 0; x < picture.width; ++x) {
+    const Color wanted = scale.color((x + 0.5) / 101.0);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      EXPECT_NEAR(pixel(picture, x, 2)[channel], wanted[channel], 3) << x;
+    }
+    EXPECT_EQ(pixel(picture, x, 7), (std::array<int, 3>{255, 255, 255}));
+  }
+}
+
+TEST(WritePng, WritesAFileThatStartsAsAPng) {
+  const testing_support::TemporaryFolder folder;
+  const auto path = folder.path() / "a.png";
+  write_png(path, written("text"));
+  std::ifstream in(path, std::ios::binary);
+  std::string start(8, ' ');
+  in.read(start.data(), 8);
+  EXPECT_EQ(start, "\x89PNG\r\n\x1a\n");
+  EXPECT_THROW(write_png("/nonexistent/a.png", written("text")), FileError);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "packed_integers.h"
@@ -96,7 +97,7 @@ TEST(PackedIntegers, UnpackToTheSame) {
       {Limits::max(), Limits::min(), 0, Limits::min(), Limits::max(), 7}};
   for (const auto& values : lists) {
     for (const std::size_t stride : {0, 1, 3}) {
-      EXPECT_EQ(unpacked(packed_integers(values, stride)), values);
+      EXPECT_EQ(unpacked(packed_integers(values, stride).dump()), values);
     }
   }
 }

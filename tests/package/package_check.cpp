@@ -1,19 +1,20 @@
-// Uses every library of the package once: a sphere, remeshed, its dual, its energy.
+// An outside program that uses the whole way: shape, shell at rest, certificate, files.
 #include <cstdio>
+#include <filesystem>
 
-#include "trivalent/dual/network_checks.h"
-#include "trivalent/potentials/rebo.h"
-#include "trivalent/remesh/shapes.h"
-#include "trivalent/shell/build_shell.h"
+#include "trivalent/shell/build.h"
+#include "trivalent/shell/build_files.h"
+#include "trivalent/shell/certify.h"
 
 int main() {
-  namespace dual = trivalent::dual;
-  namespace remesh = trivalent::remesh;
-  dual::ShellOptions options;
-  options.size = dual::AtomCount{500};
-  const auto shell = dual::build_shell(remesh::make_shape("sphere", {}, 0.05), options);
-  const auto report = dual::check_network(shell.structure);
-  const auto energy = trivalent::potentials::rebo(shell.structure.atoms);
-  std::printf("%d atoms, %.4f eV/atom\n", report.atoms, energy.energy / report.atoms);
-  return report.is_trivalent() && energy.energy < 0.0 ? 0 : 1;
+  namespace shell = trivalent::shell;
+  shell::BuildOptions options;
+  options.shell.size = trivalent::dual::AtomCount{500};
+  const auto result = shell::build(shell::read_surface("sphere", options.shell), options);
+  std::filesystem::create_directories("shell");
+  shell::write_build("shell", result);
+  const auto certificate = shell::certify(result.structure());
+  std::printf("%d atoms, %.4f eV/atom\n", certificate.shell.atoms, certificate.summary.mean);
+  const bool is_written = std::filesystem::exists("shell/shell.extxyz");
+  return certificate.is_sound() && is_written && certificate.summary.mean < -7.0 ? 0 : 1;
 }

@@ -1,7 +1,9 @@
 #include "trivalent/shell/build_shell.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "trivalent/dual/error.h"
@@ -22,11 +24,11 @@ void check_options(const TriMesh& mesh, const ShellOptions& options) {
         concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
   }
   // The icosahedron's dual, C20, is the smallest fullerene.
-  constexpr int fewest_atoms = 20;
+  constexpr int min_atoms = 20;
   const auto* count = std::get_if<AtomCount>(&options.size);
-  if (count != nullptr && count->atoms < fewest_atoms) {
+  if (count != nullptr && count->atoms < min_atoms) {
     throw InvalidOption(
-        concat("build_shell: a shell needs at least ", fewest_atoms, " atoms, not ", count->atoms));
+        concat("build_shell: a shell needs at least ", min_atoms, " atoms, not ", count->atoms));
   }
 }
 
@@ -37,6 +39,50 @@ double given_scale(const TriMesh& mesh, const ShellSize& size) {
                          : scale_for_size(mesh, std::get<Scale>(size));
 }
 
+/// The first remeshing finds the edge length for the second, which usually fits.
+constexpr int usual_remeshings = 2;
+
+/// Counts the progress of several remeshings as one.
+class SharedProgress {
+ public:
+  explicit SharedProgress(const remesh::RemeshMethod& method) : method_(method) {}
+
+  /// The method for the next remeshing. It refers to this object.
+  [[nodiscard]] remesh::RemeshMethod next() {
+    remesh::RemeshMethod method = method_;
+    const auto count = [this, done = done_](remesh::RemeshProgress state) {
+      const int per_remeshing = state.iterations;
+      state.iteration += done * per_remeshing;
+      state.iterations = per_remeshing * std::max(usual_remeshings, done + 1);
+      report(state);
+    };
+    std::visit(
+        [&](auto& options) {
+          if (options.on_progress) options.on_progress = count;
+        },
+        method);
+    ++done_;
+    return method;
+  }
+
+  /// Reports the end, if fewer remeshings than usual were enough.
+  void finish() {
+    if (!last_ || last_->iteration >= last_->iterations) return;
+    last_->iterations = last_->iteration;
+    report(*last_);
+  }
+
+ private:
+  void report(const remesh::RemeshProgress& state) {
+    last_ = state;
+    std::visit([&](const auto& options) { options.on_progress(state); }, method_);
+  }
+
+  const remesh::RemeshMethod& method_;
+  int done_ = 0;
+  std::optional<remesh::RemeshProgress> last_;
+};
+
 void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
   shell.scale = given_scale(mesh, options.size);
   shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
@@ -46,13 +92,14 @@ void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
 
 void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
   // Edges come out a little off their target, and chords of a curved surface cut its area.
-  constexpr int most_remeshings = 3;
+  constexpr int max_remeshings = 3;
   double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
+  SharedProgress progress(options.method);
   double least_miss = std::numeric_limits<double>::infinity();
   while (true) {
     remesh::RemeshResult surface;
     try {
-      surface = remesh::remesh_by(mesh, options.method, target);
+      surface = remesh::remesh_by(mesh, progress.next(), target);
     } catch (const remesh::InvalidOption&) {
       if (shell.remeshings == 0) throw;
       break;  // the corrected length is more than a part can hold
@@ -68,9 +115,10 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
       shell.target_edge_length = target;
     }
     shell.surface.stopped = stopped;
-    if (miss <= atom_count_tolerance || shell.remeshings == most_remeshings || stopped) break;
+    if (miss <= atom_count_tolerance || shell.remeshings == max_remeshings || stopped) break;
     target *= std::sqrt(ratio);
   }
+  progress.finish();
   shell.scale = scale_for_size(shell.surface.mesh, MeanBond{options.bond});
 }
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "stroke_font.h"
-
 namespace trivalent::dual {
 namespace {
 
@@ -172,45 +170,6 @@ void Canvas::add_depth_cues(double reach, double near, double far) {
       const double distance = std::clamp((near - depths_[i]) / (near - far), 0.0, 1.0);
       const auto fade = static_cast<float>(fading * distance * distance);
       colors_[i] = (1.0f - fade) * factors[i] * colors_[i] + fade * background_;
-    }
-  }
-}
-
-void Canvas::fill(double left, double top, double width, double height, const Rgb& color) {
-  const Span across = columns(left, left + width - 1.0);
-  const Span down = rows(top, top + height - 1.0);
-  for (int y = down.begin; y < down.end; ++y) {
-    for (int x = across.begin; x < across.end; ++x) colors_[index(x, y)] = color;
-  }
-}
-
-void Canvas::draw_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius,
-                          const Rgb& color) {
-  const Eigen::Vector2d axis = to - from;
-  const double square = std::max(axis.squaredNorm(), 1e-12);
-  const Span across =
-      columns(std::min(from.x(), to.x()) - radius, std::max(from.x(), to.x()) + radius);
-  const Span down = rows(std::min(from.y(), to.y()) - radius, std::max(from.y(), to.y()) + radius);
-  for (int y = down.begin; y < down.end; ++y) {
-    for (int x = across.begin; x < across.end; ++x) {
-      const Eigen::Vector2d at(x, y);
-      const double fraction = std::clamp((at - from).dot(axis) / square, 0.0, 1.0);
-      const Eigen::Vector2d nearest = from + fraction * axis;
-      if ((at - nearest).squaredNorm() <= radius * radius) colors_[index(x, y)] = color;
-    }
-  }
-}
-
-void Canvas::draw_text(std::string_view text, double left, double baseline, double capital_height,
-                       const Rgb& color) {
-  const double pen = 0.062 * capital_height;
-  const auto place = [&](const Eigen::Vector2d& point) {
-    return Eigen::Vector2d(left + capital_height * point.x(),
-                           baseline - capital_height * point.y());
-  };
-  for (const Polyline& stroke : stroke_text(text).strokes) {
-    for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
-      draw_segment(place(stroke[i]), place(stroke[i + 1]), pen, color);
     }
   }
 }

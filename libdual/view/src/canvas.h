@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string_view>
+#include <array>
 #include <vector>
 
 #include "trivalent/view/picture.h"
@@ -43,11 +43,6 @@ class Canvas {
   /// reach is how far neighbors cast shade [sample], near and far the range of depths.
   void add_depth_cues(double reach, double near, double far);
 
-  // Flat, over everything.
-  void fill(double left, double top, double width, double height, const Rgb& color);
-  void draw_text(std::string_view text, double left, double baseline, double capital_height,
-                 const Rgb& color);
-
   [[nodiscard]] Picture picture() const;
 
  private:
@@ -63,8 +58,6 @@ class Canvas {
   }
   void put(int x, int y, double depth, const Rgb& color);
   [[nodiscard]] float occlusion(int x, int y, double reach) const;
-  void draw_segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius,
-                    const Rgb& color);
 
   int width_;
   int height_;

@@ -1,13 +1,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "canvas.h"
-#include "stroke_font.h"
+#include "draw_legend.h"
+#include "flat_drawing.h"
 #include "trivalent/view/picture.h"
 
 namespace trivalent::dual {
@@ -212,73 +212,46 @@ void draw_state(Canvas& canvas, const ShellState& state, const PictureOptions& o
   }
 }
 
-/// As many decimals as the scale's ends need to be told apart.
-std::string number(double value, const ColorScale& scale) {
-  const int decimals =
-      static_cast<int>(std::clamp(2.0 - std::floor(std::log10(scale.high - scale.low)), 0.0, 6.0));
-  char text[512];  // the largest double has 309 digits
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-/// Letters and colors of what is written beside the shells.
-struct Pen {
-  double size;  ///< height of capitals [sample]
-  Rgb ink;
+/// How pictures are divided [pixel].
+struct Layout {
+  double letter = 0.0;  ///< height of capitals
+  int title_height = 0;
+  int legend_height = 0;
 };
 
-void draw_centered(Canvas& canvas, const std::string& text, double x, double y, const Pen& pen) {
-  canvas.draw_text(text, x - 0.5 * pen.size * stroke_text(text).width, y, pen.size, pen.ink);
+Layout layout_of(const PictureOptions& options, std::size_t n_states) {
+  const double letter = std::clamp(0.019 * std::min(options.width, options.height), 7.0, 60.0);
+  return {.letter = letter,
+          .title_height = n_states > 1 ? static_cast<int>(2.6 * letter) : 0,
+          .legend_height = static_cast<int>(6.0 * letter)};
 }
 
-void draw_scale(Canvas& canvas, const ColorScale& scale, const Pen& pen,
-                const Eigen::Vector3d& bar) {
-  const double left = bar.x();
-  const double top = bar.y();
-  const double width = bar.z();
-  for (int i = 0; i < static_cast<int>(width); ++i) {
-    const double value = scale.low + (scale.high - scale.low) * (i + 0.5) / width;
-    canvas.fill(left + i, top, 1.0, 1.1 * pen.size, rgb(scale.color(value)));
-  }
-  const double baseline = top + 2.7 * pen.size;
-  const double values[] = {scale.low, scale.middle(), scale.high};
-  for (int i = 0; i < 3; ++i) {
-    const double x = left + 0.5 * i * width;
-    canvas.fill(x - 0.04 * pen.size, top, 0.08 * pen.size, 1.4 * pen.size, pen.ink);
-    draw_centered(canvas, number(values[i], scale), x, baseline, pen);
-  }
+/// The part of the picture for one of several states.
+Area panel_of(int i, int n_states, const Layout& layout, const PictureOptions& options) {
+  const int left = i * options.width / n_states;
+  return {.left = left,
+          .top = layout.title_height,
+          .width = (i + 1) * options.width / n_states - left,
+          .height = options.height - layout.legend_height - layout.title_height};
 }
 
-void draw_swatches(Canvas& canvas, const std::vector<Category>& categories, const Pen& pen,
-                   const Eigen::Vector2d& middle) {
-  double width = 0.0;
-  const auto width_of = [&](const Category& category) {
-    return pen.size * (3.2 + stroke_text(category.label).width);
-  };
-  for (const Category& category : categories) width += width_of(category);
-  double x = middle.x() - 0.5 * width;
-  for (const Category& category : categories) {
-    canvas.fill(x, middle.y(), 1.2 * pen.size, 1.2 * pen.size, pen.ink);
-    const double rim = 0.08 * pen.size;
-    canvas.fill(x + rim, middle.y() + rim, 1.2 * pen.size - 2.0 * rim, 1.2 * pen.size - 2.0 * rim,
-                rgb(category.color));
-    canvas.draw_text(category.label, x + 1.7 * pen.size, middle.y() + 1.1 * pen.size, pen.size,
-                     pen.ink);
-    x += width_of(category);
+Picture draw_shells(std::span<const ShellState> states, const PictureOptions& options,
+                    const AtomMap& map, const Layout& layout) {
+  Canvas canvas(options.width, options.height, options.background);
+  const auto n_states = static_cast<int>(states.size());
+  for (int i = 0; i < n_states; ++i) {
+    draw_state(canvas, states[i], options, map, panel_of(i, n_states, layout, options));
   }
+  return canvas.picture();
 }
 
-void draw_legend(Canvas& canvas, const AtomMap& map, const Pen& pen, const Area& area) {
-  canvas.clip(area);
-  const double middle = samples * (area.left + 0.5 * area.width);
-  const double top = samples * area.top;
-  const std::string title = map.unit.empty() ? map.title : map.title + " [" + map.unit + "]";
-  draw_centered(canvas, title, middle, top + 1.6 * pen.size, pen);
-  if (map.categories.empty()) {
-    const double width = std::min(0.7 * samples * area.width, 26.0 * pen.size);
-    draw_scale(canvas, map.scale, pen, {middle - 0.5 * width, top + 2.6 * pen.size, width});
-  } else {
-    draw_swatches(canvas, map.categories, pen, {middle, top + 3.0 * pen.size});
+void write_titles(FlatDrawing& drawing, std::span<const ShellState> states, const Pen& pen,
+                  const std::vector<Area>& panels) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const double left = panels[i].left;
+    const double width = panels[i].width;
+    drawing.clip({.left = left, .top = 0.0, .width = width, .height = 1.0 * panels[i].top});
+    drawing.write_centered(states[i].name, left + 0.5 * width, 2.0 * pen.size, pen.ink);
   }
 }
 
@@ -287,34 +260,25 @@ void draw_legend(Canvas& canvas, const AtomMap& map, const Pen& pen, const Area&
 Picture draw_states(std::span<const ShellState> states, const PictureOptions& options) {
   check_options(states, options);
   const AtomMap map = reference_map(states, options);
-  Canvas canvas(options.width, options.height, options.background);
+  const Layout layout = layout_of(options, states.size());
+  FlatDrawing drawing(draw_shells(states, options, map, layout));
 
   const int brightness = options.background[0] + options.background[1] + options.background[2];
-  const double letter = std::clamp(0.019 * std::min(options.width, options.height), 7.0, 60.0);
-  const Pen pen = {.size = letter * samples,
-                   .ink = brightness > 3 * 127 ? Rgb(30, 34, 42) : Rgb(235, 238, 243)};
-  const int legend_height = static_cast<int>(6.0 * letter);
-  const int title_height = states.size() > 1 ? static_cast<int>(2.6 * letter) : 0;
-  const auto n_states = static_cast<int>(states.size());
-  for (int i = 0; i < n_states; ++i) {
-    const int left = i * options.width / n_states;
-    const int width = (i + 1) * options.width / n_states - left;
-    const Area panel = {.left = left,
-                        .top = title_height,
-                        .width = width,
-                        .height = options.height - legend_height - title_height};
-    draw_state(canvas, states[i], options, map, panel);
-    if (title_height == 0) continue;
-    canvas.clip({.left = left, .top = 0, .width = width, .height = title_height});
-    draw_centered(canvas, states[i].name, samples * (left + 0.5 * width), samples * 2.0 * letter,
-                  pen);
+  const Pen pen = {.size = layout.letter,
+                   .ink = brightness > 3 * 127 ? Color{30, 34, 42} : Color{235, 238, 243}};
+  drawing.set_letters(pen.size);
+  if (states.size() > 1) {
+    std::vector<Area> panels;
+    const auto n_states = static_cast<int>(states.size());
+    for (int i = 0; i < n_states; ++i) panels.push_back(panel_of(i, n_states, layout, options));
+    write_titles(drawing, states, pen, panels);
   }
-  draw_legend(canvas, map, pen,
-              {.left = 0,
-               .top = options.height - legend_height,
-               .width = options.width,
-               .height = legend_height});
-  return canvas.picture();
+  draw_legend(drawing, map, pen,
+              {.left = 0.0,
+               .top = 1.0 * (options.height - layout.legend_height),
+               .width = 1.0 * options.width,
+               .height = 1.0 * layout.legend_height});
+  return drawing.picture();
 }
 
 }  // namespace trivalent::dual

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "trivalent/dual/error.h"
@@ -58,7 +59,7 @@ std::string base64(std::span<const unsigned char> bytes) {
   return text;
 }
 
-std::string packed_integers(std::span<const std::int32_t> values, std::size_t stride) {
+nlohmann::ordered_json packed_integers(std::span<const std::int32_t> values, std::size_t stride) {
   const std::vector<std::uint32_t> numbers = differences(values, stride);
   const std::uint32_t largest =
       numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
@@ -69,8 +70,10 @@ std::string packed_integers(std::span<const std::int32_t> values, std::size_t st
       bytes.push_back(static_cast<unsigned char>(number >> (8 * planes) & 0xff));
     }
   }
-  return concat("{\"count\":", values.size(), ",\"stride\":", stride, ",\"bytes\":", planes,
-                ",\"data\":\"", base64(deflated(bytes)), "\"}");
+  return {{"count", values.size()},
+          {"stride", stride},
+          {"bytes", planes},
+          {"data", base64(deflated(bytes))}};
 }
 
 }  // namespace trivalent::dual

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -11,7 +12,8 @@ namespace trivalent::dual {
 /// a structure are neighbors in its file, so little is left.
 ///
 /// Returns a JSON object: count, stride, number of bytes each, and the text.
-[[nodiscard]] std::string packed_integers(std::span<const std::int32_t> values, std::size_t stride);
+[[nodiscard]] nlohmann::ordered_json packed_integers(std::span<const std::int32_t> values,
+                                                     std::size_t stride);
 
 /// Bytes as base64 [RFC 4648].
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);

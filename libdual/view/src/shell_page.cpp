@@ -1,8 +1,9 @@
 #include "trivalent/view/shell_page.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
 
@@ -13,55 +14,42 @@
 namespace trivalent::dual {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::string_view place_of_data = "<!--shell-data-->";
 constexpr double position_step = 0.001;  // [Å]
 
-/// Text as JSON that may stand inside a <script>: nothing in it can end the element, whatever a
-/// file is called. Bytes that are not ASCII pass as they are; the browser repairs broken UTF-8.
-std::string json_text(std::string_view text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code >= 0x20 && code != 0x7f &&
-        std::string_view("\"\\<>&'").find(c) == std::string_view::npos) {
-      json += c;
-      continue;
-    }
-    char escape[8];
-    std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(code));
-    json += escape;
+/// Writes JSON that may stand inside a <script>: nothing in it can end the element, whatever a file
+/// is called. Bytes that are not UTF-8 are replaced.
+void write_in_script(std::ostream& out, const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // Such characters occur in JSON's strings only.
+  constexpr std::string_view markup = "<>&'";
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = std::min(text.find_first_of(markup, begin), text.size());
+    out << std::string_view(text).substr(begin, end - begin);
+    if (end == text.size()) return;
+    constexpr std::array escapes = {"\\u003c", "\\u003e", "\\u0026", "\\u0027"};
+    out << escapes[markup.find(text[end])];
+    begin = end + 1;
   }
-  return json + '"';
 }
 
-std::string json_number(double value) {
-  if (!std::isfinite(value)) return "null";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
+Json json_color(const Color& color) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : color) {
+    text += digits[channel >> 4];
+    text += digits[channel & 15];
+  }
   return text;
 }
 
-/// The elements of a list, each turned into JSON.
-template <typename List, typename ToJson>
-std::string json_list(const List& list, const ToJson& to_json) {
-  std::string json = "[";
-  for (const auto& element : list) {
-    if (json.size() > 1) json += ',';
-    json += to_json(element);
-  }
-  return json + ']';
-}
-
-std::string json_color(const Color& color) {
-  char text[16];
-  std::snprintf(text, sizeof text, "\"#%02x%02x%02x\"", color[0], color[1], color[2]);
-  return text;
-}
-
-std::string json_rows(const std::vector<PageRow>& rows) {
-  return json_list(rows, [](const PageRow& row) {
-    return '[' + json_text(row.name) + ',' + json_text(row.value) + ']';
-  });
+Json json_rows(const std::vector<TableRow>& rows) {
+  Json json = Json::array();
+  for (const TableRow& row : rows) json.push_back(Json::array({row.name, row.value}));
+  return json;
 }
 
 /// The nearest multiple of a step, as far as 32 bits reach.
@@ -70,7 +58,7 @@ std::int32_t rounded(double value, double step) {
   return static_cast<std::int32_t>(std::lround(std::clamp(value / step, -limit, limit)));
 }
 
-std::string packed_points(std::span<const Eigen::Vector3d> points) {
+Json packed_points(std::span<const Eigen::Vector3d> points) {
   std::vector<std::int32_t> coordinates;
   coordinates.reserve(3 * points.size());
   for (const Eigen::Vector3d& point : points) {
@@ -111,7 +99,7 @@ Shown shown_atoms(const ShellState& state) {
 }
 
 /// Values as multiples of a step; 0 stands for an atom without one.
-std::string packed_values(const AtomMap& map, const std::vector<int>& atoms, double step) {
+Json packed_values(const AtomMap& map, const std::vector<int>& atoms, double step) {
   std::vector<std::int32_t> values;
   values.reserve(atoms.size());
   for (const int atom : atoms) {
@@ -122,27 +110,27 @@ std::string packed_values(const AtomMap& map, const std::vector<int>& atoms, dou
   return packed_integers(values, 0);
 }
 
-std::string json_map(const AtomMap& map, const ColorScale& scale, const std::vector<int>& atoms) {
+Json json_map(const AtomMap& map, const ColorScale& scale, const std::vector<int>& atoms) {
   const bool counts = !map.categories.empty();
   const double step =
       counts ? 1.0 : std::pow(10.0, std::floor(std::log10((scale.high - scale.low) / 10000.0)));
-  std::string json = "{\"name\":" + json_text(map.name) + ",\"title\":" + json_text(map.title) +
-                     ",\"unit\":" + json_text(map.unit) + ",\"step\":" + json_number(step);
+  Json json = {{"name", map.name}, {"title", map.title}, {"unit", map.unit}, {"step", step}};
   if (counts) {
-    json += ",\"categories\":" + json_list(map.categories, [](const Category& category) {
-              return "{\"value\":" + std::to_string(category.value) +
-                     ",\"label\":" + json_text(category.label) +
-                     ",\"color\":" + json_color(category.color) + '}';
-            });
+    json["categories"] = Json::array();
+    for (const Category& category : map.categories) {
+      json["categories"].push_back({{"value", category.value},
+                                    {"label", category.label},
+                                    {"color", json_color(category.color)}});
+    }
   } else {
-    json += ",\"scale\":{\"low\":" + json_number(scale.low) +
-            ",\"high\":" + json_number(scale.high) +
-            ",\"colors\":" + json_list(scale.colors, json_color) + '}';
+    json["scale"] = {{"low", scale.low}, {"high", scale.high}, {"colors", Json::array()}};
+    for (const Color& color : scale.colors) json["scale"]["colors"].push_back(json_color(color));
   }
-  return json + ",\"values\":" + packed_values(map, atoms, step) + '}';
+  json["values"] = packed_values(map, atoms, step);
+  return json;
 }
 
-std::string packed_bonds(const std::vector<std::array<int, 2>>& bonds) {
+Json packed_bonds(const std::vector<std::array<int, 2>>& bonds) {
   std::vector<std::int32_t> ends;
   ends.reserve(2 * bonds.size());
   // The second end as a step from the first; the page adds it up again.
@@ -155,18 +143,17 @@ std::string packed_bonds(const std::vector<std::array<int, 2>>& bonds) {
   return packed_integers(ends, 0);
 }
 
-std::string packed_rings(const std::vector<std::vector<int>>& rings) {
+Json packed_rings(const std::vector<std::vector<int>>& rings) {
   std::vector<std::int32_t> sizes;
   std::vector<std::int32_t> atoms;
   for (const auto& ring : rings) {
     sizes.push_back(static_cast<std::int32_t>(ring.size()));
     atoms.insert(atoms.end(), ring.begin(), ring.end());
   }
-  return "{\"sizes\":" + packed_integers(sizes, 0) + ",\"atoms\":" + packed_integers(atoms, 1) +
-         '}';
+  return {{"sizes", packed_integers(sizes, 0)}, {"atoms", packed_integers(atoms, 1)}};
 }
 
-std::string packed_species(const potentials::Atoms& atoms, const std::vector<int>& shown) {
+Json packed_species(const potentials::Atoms& atoms, const std::vector<int>& shown) {
   std::vector<std::int32_t> numbers;
   for (const int atom : shown) {
     numbers.push_back(atoms.species[atom] == potentials::Species::carbon ? 6 : 1);
@@ -183,7 +170,7 @@ const ColorScale& shared_scale(const ShellPage& page, const AtomMap& map) {
   return map.scale;
 }
 
-std::string json_state(const ShellState& state, const ShellPage& page) {
+Json json_state(const ShellState& state, const ShellPage& page) {
   const Shown shown = shown_atoms(state);
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(shown.atoms.size());
@@ -191,53 +178,52 @@ std::string json_state(const ShellState& state, const ShellPage& page) {
   // Half of the atoms would leave torn bonds and rings.
   const Structure drawn = shown.is_sample ? Structure{} : state.structure;
 
-  std::string json = "{\"name\":" + json_text(state.name) +
-                     ",\"total_atoms\":" + std::to_string(state.structure.atoms.size()) +
-                     ",\"step\":" + json_number(position_step) +
-                     ",\"positions\":" + packed_points(positions) +
-                     ",\"species\":" + packed_species(state.structure.atoms, shown.atoms) +
-                     ",\"bonds\":" + packed_bonds(drawable_bonds(drawn)) +
-                     ",\"rings\":" + packed_rings(drawable_rings(drawn));
+  Json json = {{"name", state.name},
+               {"total_atoms", state.structure.atoms.size()},
+               {"step", position_step},
+               {"positions", packed_points(positions)},
+               {"species", packed_species(state.structure.atoms, shown.atoms)},
+               {"bonds", packed_bonds(drawable_bonds(drawn))},
+               {"rings", packed_rings(drawable_rings(drawn))}};
   if (shown.is_sample) {
     const std::vector<std::int32_t> ids(shown.atoms.begin(), shown.atoms.end());
-    json += ",\"sample\":" + packed_integers(ids, 1);
+    json["sample"] = packed_integers(ids, 1);
   }
-  return json + ",\"maps\":" +
-         json_list(state.maps,
-                   [&](const AtomMap& map) {
-                     return json_map(map, shared_scale(page, map), shown.atoms);
-                   }) +
-         '}';
+  json["maps"] = Json::array();
+  for (const AtomMap& map : state.maps) {
+    json["maps"].push_back(json_map(map, shared_scale(page, map), shown.atoms));
+  }
+  return json;
 }
 
-std::string json_surface(const remesh::TriMesh& mesh) {
+Json json_surface(const remesh::TriMesh& mesh) {
   std::vector<Eigen::Vector3d> points;
   for (const auto vertex : mesh.vertices()) points.push_back(mesh.point(vertex));
   std::vector<std::int32_t> corners;
   for (const auto& triangle : remesh::triangles_of(mesh)) {
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }
-  return "{\"step\":" + json_number(position_step) + ",\"points\":" + packed_points(points) +
-         ",\"triangles\":" + packed_integers(corners, 1) + '}';
+  return {{"step", position_step},
+          {"points", packed_points(points)},
+          {"triangles", packed_integers(corners, 1)}};
 }
 
-void write_data(std::ostream& out, const ShellPage& page) {
-  std::vector<std::string> notes = page.notes;
-  const bool has_ghost = page.surface && page.surface->n_faces() <= most_ghost_faces;
-  if (page.surface && !has_ghost) {
-    notes.push_back(concat("the input surface has ", page.surface->n_faces(),
-                           " triangles, too many to be shown here"));
+Json json_page(const ShellPage& page) {
+  Json json = {{"title", page.title},
+               {"program", page.program},
+               {"notes", page.notes},
+               {"parameters", json_rows(page.parameters)},
+               {"results", json_rows(page.results)},
+               {"states", Json::array()}};
+  for (const ShellState& state : page.states) json["states"].push_back(json_state(state, page));
+  if (!page.surface) return json;
+  if (page.surface->n_faces() <= most_ghost_faces) {
+    json["surface"] = json_surface(*page.surface);
+  } else {
+    json["notes"].push_back(concat("the input surface has ", page.surface->n_faces(),
+                                   " triangles, too many to be shown here"));
   }
-  out << "<script type=\"application/json\" id=\"shell-data\">{\"title\":" << json_text(page.title)
-      << ",\"program\":" << json_text(page.program) << ",\"notes\":" << json_list(notes, json_text)
-      << ",\"parameters\":" << json_rows(page.parameters)
-      << ",\"results\":" << json_rows(page.results) << ",\"states\":[";
-  for (std::size_t i = 0; i < page.states.size(); ++i) {
-    out << (i > 0 ? "," : "") << json_state(page.states[i], page);
-  }
-  out << ']';
-  if (has_ghost) out << ",\"surface\":" << json_surface(*page.surface);
-  out << "}</script>";
+  return json;
 }
 
 }  // namespace
@@ -250,7 +236,9 @@ void write_shell_page(std::ostream& out, const ShellPage& page, std::string_view
     throw InvalidOption(concat("write_shell_page: the viewer has no ", place_of_data));
   }
   out << viewer.substr(0, place);
-  write_data(out, page);
+  out << R"(<script type="application/json" id="shell-data">)";
+  write_in_script(out, json_page(page));
+  out << "</script>";
   out << viewer.substr(place + place_of_data.size());
 }
 

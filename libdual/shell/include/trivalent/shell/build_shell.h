@@ -24,7 +24,7 @@ struct ShellOptions {
   ShellSize size = AtomCount{};
   double bond = default_bond_length;  ///< wanted mean bond length [Å], > 0
   /// How the net is made; its target_edge_length follows from size and bond.
-  remesh::RemeshMethod method;
+  remesh::RemeshMethod method = {};
 };
 
 /// What a shell would come to.

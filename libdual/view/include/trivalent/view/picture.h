@@ -40,8 +40,8 @@ struct PictureOptions {
 /// Draws states side by side, equally large, in the same colors, with their names and a legend.
 ///
 /// Orthographic; shaded balls, sticks and polygons with a little ambient occlusion, nine samples a
-/// pixel. Needs no screen. The same input gives the same pixels on any machine whose arithmetic is
-/// IEEE's.
+/// pixel. Needs no screen. The same input gives the same pixels; text looks as the machine's fonts
+/// do.
 ///
 /// @throws InvalidNetwork as check_state, or if there is no state.
 /// @throws InvalidOption  if an option is out of its range, or a state has no such map.

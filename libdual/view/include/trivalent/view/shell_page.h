@@ -10,14 +10,9 @@
 
 #include "trivalent/remesh/mesh.h"
 #include "trivalent/view/shell_state.h"
+#include "trivalent/view/table_row.h"
 
 namespace trivalent::dual {
-
-/// A line of the page's tables; without a value it is a heading.
-struct PageRow {
-  std::string name;
-  std::string value = {};
-};
 
 /// Everything a page shows. Texts may hold anything; the page shows them as text.
 struct ShellPage {
@@ -25,8 +20,8 @@ struct ShellPage {
   std::string program = {};             ///< who made it, as in "trivalent 0.1.0"
   std::vector<ShellState> states = {};  ///< at least one, in the order of their making
   std::vector<std::string> notes = {};  ///< what was found on the way
-  std::vector<PageRow> parameters = {};
-  std::vector<PageRow> results = {};
+  std::vector<TableRow> parameters = {};
+  std::vector<TableRow> results = {};
   /// Drawn as a ghost [Å], unless it has more than most_ghost_faces; the page says so then.
   std::optional<remesh::TriMesh> surface = {};
 };

@@ -1,0 +1,55 @@
+#include "build_options.h"
+
+#include "file_options.h"
+#include "files.h"
+#include "remesh_options.h"
+#include "repair_options.h"
+#include "size_options.h"
+
+namespace trivalent::apps {
+namespace {
+
+constexpr shell::Names<shell::EdgeCap, 2> caps = {
+    {{"none", shell::EdgeCap::none}, {"hydrogen", shell::EdgeCap::hydrogen}}};
+
+}  // namespace
+
+Grammar grammar_of_build() {
+  Grammar grammar = {.arguments = {"SHAPE"},
+                     .options = po::options_description("Size of the shell")};
+  add_shell_size_options(grammar.options);
+  po::options_description repair("Reading");
+  add_repair_options(repair);
+  po::options_description remeshing("Remeshing");
+  add_remesh_options(remeshing);
+  po::options_description files("Output");
+  files.add_options()                                                                  //
+      ("output,o", po::value<std::string>(), "folder for the results; must be given")  //
+      ("cap", with_default_name(shell::EdgeCap::none, caps),
+       "hydrogen: puts H on the atoms at the edge of an open shell")  //
+      ("no-relax", "leave the atoms where the dual puts them")        //
+      ("dry-run", "only tell what would be built, and whether it can be");
+  add_file_options(files);
+  grammar.options.add(repair).add(remeshing).add(files);
+  grammar.epilog =
+      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input) or a\n"
+      "built-in shape.\n"
+      "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply, energy.vtp,\n"
+      "report.json and report.html (open it in a browser).\n\n" +
+      shapes_help();
+  return grammar;
+}
+
+BuildRequest build_request(const Session& session) {
+  return {.shape = session.get<std::string>("SHAPE"),
+          .repair = repair_options(session),
+          .build = {.shell = {.size = shell_size(session),
+                              .bond = session.get<double>("bond"),
+                              .method = remesh_method(session)},
+                    .cap = named_value(session, "cap", caps),
+                    .relaxation = session.has("no-relax") ? shell::Relaxation::none
+                                                          : shell::Relaxation::rebo},
+          .files = {.digits = digits(session), .atom_style = atom_style(session)}};
+}
+
+}  // namespace trivalent::apps

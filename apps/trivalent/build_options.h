@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "session.h"
+#include "trivalent/shell/build.h"
+#include "trivalent/shell/build_files.h"
+
+namespace trivalent::apps {
+
+[[nodiscard]] Grammar grammar_of_build();
+
+/// What the command line of build says.
+struct BuildRequest {
+  std::string shape;
+  remesh::RepairOptions repair;
+  shell::BuildOptions build;
+  shell::BuildFileOptions files;
+};
+
+/// @throws UsageError if the options make no sense.
+[[nodiscard]] BuildRequest build_request(const Session& session);
+
+}  // namespace trivalent::apps

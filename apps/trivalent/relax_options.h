@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "session.h"
+#include "trivalent/shell/relax.h"
+
+namespace trivalent::apps {
+
+/// What relax can write.
+inline constexpr std::array<std::string_view, 2> relax_extensions = {".extxyz", ".xyz"};
+
+[[nodiscard]] Grammar grammar_of_relax();
+
+/// What the command line of relax says; notes and LAMMPS's progress go to the session's terminal,
+/// which must outlive it.
+///
+/// @throws UsageError if the options make no sense.
+[[nodiscard]] shell::RelaxOptions relax_options(const Session& session);
+
+}  // namespace trivalent::apps

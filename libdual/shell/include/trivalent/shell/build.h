@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "trivalent/dual/hydrogen.h"
+#include "trivalent/dual/network_checks.h"
+#include "trivalent/potentials/energy_forces.h"
+#include "trivalent/potentials/relax.h"
+#include "trivalent/remesh/mesh_components.h"
+#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/shell/build_shell.h"
+#include "trivalent/shell/json.h"
+#include "trivalent/shell/relax_report.h"
+#include "trivalent/shell/surface_source.h"
+#include "trivalent/view/shell_state.h"
+#include "trivalent/view/table_row.h"
+
+namespace trivalent::shell {
+
+/// What is done at the edge of an open shell.
+enum class EdgeCap {
+  none,
+  hydrogen,  ///< puts H on atoms with fewer than three bonds
+};
+
+enum class Relaxation {
+  none,  ///< the atoms stay where the dual puts them
+  rebo,  ///< they are brought to rest under REBO
+};
+
+/// The steps of a build, in their order.
+enum class BuildStep { remesh_and_dual, measure, energies, relax };
+
+struct BuildOptions {
+  dual::ShellOptions shell = {};  ///< size, bond and method; how remeshing is followed and stopped
+  EdgeCap cap = EdgeCap::none;
+  Relaxation relaxation = Relaxation::rebo;
+  /// A shell that is not at rest by then is caught somewhere: relax() can go on.
+  int max_relaxation_steps = 3000;
+  std::function<void(BuildStep)> on_step = {};  ///< before each step
+  /// After each step of the relaxation; returns false to stop there.
+  std::function<bool(const potentials::RelaxProgress&)> on_relax = {};
+};
+
+/// Everything known about a shell that was built; lengths in Å.
+struct BuildResult {
+  std::vector<std::string> notes = {};  ///< what was found on the way, for people
+  double wrap_offset = 0.0;             ///< distance from the input to its wrap; 0 without one
+  remesh::MeshQuality input_quality = {};
+  remesh::TriMesh original = {};  ///< the input surface at the shell's scale
+  dual::Shell shell = {};
+  remesh::MeshQuality quality = {};
+  remesh::MeshComponents components = {};  ///< of_face also covers hydrogens
+  remesh::TwoSidedDistance distance = {};
+  dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
+  dual::HydrogenCaps caps = {};
+  potentials::EnergyForces energy = {};            ///< REBO
+  std::optional<dual::ShellState> before = {};     ///< the dual of the input, if it has an energy
+  std::optional<dual::ShellState> unrelaxed = {};  ///< the shell before it was relaxed
+  std::optional<potentials::RelaxResult> relaxed = {};
+  RelaxReport relaxation = {};
+  dual::ShellState after = {};  ///< the shell
+  bool stopped = false;         ///< a step ended early because that was asked for
+  std::vector<std::pair<std::string, double>> seconds = {};  ///< of every step
+
+  /// The shell's atoms as files hold them: rings, components, energies, forces, displacements.
+  [[nodiscard]] dual::Structure structure() const;
+  [[nodiscard]] Json json() const;
+  [[nodiscard]] std::vector<dual::TableRow> rows() const;
+};
+
+/// Turns a surface into a carbon shell: remeshes it, takes the dual, caps, measures and relaxes it.
+///
+/// @throws remesh::InvalidMesh        if plan() finds an obstacle
+/// @throws remesh::InvalidOption, dual::InvalidOption if an option is out of its range
+/// @throws dual::InvalidNetwork       if the net has no dual
+/// @throws potentials::InvalidAtoms   if the shell meets itself
+[[nodiscard]] BuildResult build(Surface surface, const BuildOptions& options = {});
+
+/// What to say of a net that was stopped early.
+[[nodiscard]] std::string stopped_note(const remesh::RemeshResult& net);
+
+}  // namespace trivalent::shell

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "trivalent/formats/lammps_deck.h"
+#include "trivalent/potentials/lennard_jones.h"
+#include "trivalent/potentials/potential.h"
+
+namespace trivalent::shell {
+
+/// A potential by its name, with the parameters of those that take any.
+struct PotentialChoice {
+  std::string name = "rebo";  ///< one of known_potentials()
+  potentials::LennardJonesOptions lennard_jones = {};
+};
+
+/// What can be chosen.
+struct KnownPotential {
+  std::string_view name;
+  std::string_view meaning;
+  std::unique_ptr<potentials::Potential> (*make)(const PotentialChoice& choice);
+  std::optional<dual::LammpsPotential> lammps;  ///< the same in LAMMPS, if we ask it for that
+};
+
+/// The first is the default.
+[[nodiscard]] std::span<const KnownPotential> known_potentials();
+
+/// @throws dual::InvalidOption if there is no such potential.
+[[nodiscard]] const KnownPotential& find_potential(const PotentialChoice& choice);
+
+/// @throws dual::InvalidOption, potentials::InvalidOption if there is no such potential or a
+///   parameter is out of its range.
+[[nodiscard]] std::unique_ptr<potentials::Potential> make_potential(const PotentialChoice& choice);
+
+/// Name and parameters with every bit: equal for equal potentials.
+[[nodiscard]] std::string exact_text(const PotentialChoice& choice);
+
+/// Energy of an atom of graphene under the potential [eV], at REBO's bond length.
+[[nodiscard]] double graphene_reference(const PotentialChoice& choice);
+
+/// Whether energies may be compared with those of graphene under REBO.
+[[nodiscard]] bool is_rebo(const PotentialChoice& choice);
+
+}  // namespace trivalent::shell

@@ -1,0 +1,208 @@
+#include "trivalent/shell/build.h"
+
+#include <chrono>
+
+#include "build_notes.h"
+#include "trivalent/dual/columns.h"
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/potentials/error.h"
+#include "trivalent/potentials/rebo.h"
+#include "trivalent/shell/names.h"
+#include "trivalent/shell/plan.h"
+
+namespace trivalent::shell {
+namespace {
+
+constexpr Names<BuildStep, 4> step_names = {{{"remesh_and_dual", BuildStep::remesh_and_dual},
+                                             {"measure", BuildStep::measure},
+                                             {"energies", BuildStep::energies},
+                                             {"relax", BuildStep::relax}}};
+
+/// One build on its way.
+class Build {
+ public:
+  Build(Surface surface, const BuildOptions& options);
+
+  void remesh();
+  void measure();
+  void evaluate();
+  void relax();
+
+  BuildResult result;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(BuildStep step);
+  void end(BuildStep step);
+  void cap_edges();
+  void evaluate_input();
+  void evaluate_shell();
+  [[nodiscard]] dual::ShellState state_of_shell(std::string name) const;
+
+  const BuildOptions& options_;
+  Surface surface_;
+  Clock::time_point last_ = Clock::now();
+};
+
+Build::Build(Surface surface, const BuildOptions& options)
+    : options_(options), surface_(std::move(surface)) {
+  plan(surface_.mesh, options.shell).require_feasible();
+  result.notes = std::move(surface_.notes);
+  result.input_quality = remesh::measure_quality(surface_.mesh);
+}
+
+void Build::begin(BuildStep step) {
+  if (options_.on_step) options_.on_step(step);
+  last_ = Clock::now();
+}
+
+void Build::end(BuildStep step) {
+  const double seconds = std::chrono::duration<double>(Clock::now() - last_).count();
+  result.seconds.emplace_back(name_of(step, step_names), seconds);
+}
+
+void Build::remesh() {
+  begin(BuildStep::remesh_and_dual);
+  result.shell = dual::build_shell(surface_.mesh, options_.shell);
+  if (result.shell.surface.stopped) {
+    result.notes.push_back(stopped_note(result.shell.surface));
+    result.stopped = true;
+  }
+  end(BuildStep::remesh_and_dual);
+}
+
+/// Hydrogen belongs to the component of its carbon atom.
+void Build::cap_edges() {
+  dual::Structure& structure = result.shell.structure;
+  result.caps = dual::cap_with_hydrogen(structure);
+  auto& component = result.components.of_face;
+  component.resize(structure.atoms.size());
+  for (const potentials::Bond& bond : structure.bonds) {
+    component[bond.second] = component[bond.first];
+  }
+  result.notes.push_back("capped the edge with " + std::to_string(result.caps.hydrogens) +
+                         " hydrogen atoms");
+  if (result.caps.bare_atoms > 0) {
+    result.notes.push_back(std::to_string(result.caps.bare_atoms) +
+                           " atoms without any bond are not capped");
+  }
+}
+
+void Build::measure() {
+  begin(BuildStep::measure);
+  result.wrap_offset = surface_.wrap_offset * result.shell.scale;
+  result.components = remesh::find_components(result.shell.surface.mesh);
+  result.original = std::move(surface_.mesh);
+  remesh::scale(result.original, result.shell.scale);
+  result.quality = remesh::measure_quality(result.shell.surface.mesh);
+  result.distance = remesh::measure_distance(result.shell.surface.mesh, result.original);
+  result.network = dual::check_network(result.shell.structure);
+  if (options_.cap == EdgeCap::hydrogen) cap_edges();
+  end(BuildStep::measure);
+}
+
+dual::ShellState Build::state_of_shell(std::string name) const {
+  const dual::Structure& structure = result.shell.structure;
+  dual::ShellState state = dual::shell_state(std::move(name), structure);
+  dual::add_energies(state, result.energy.energies, dual::graphene_energy);
+  state.maps.push_back(
+      dual::distance_map("surface_distance", "distance to the input surface",
+                         remesh::distances_to_surface(structure.atoms.positions, result.original)));
+  return state;
+}
+
+void Build::evaluate_shell() {
+  try {
+    result.energy = potentials::rebo(result.shell.structure.atoms);
+  } catch (const potentials::InvalidAtoms& error) {
+    throw potentials::InvalidAtoms(potentials::concat(
+        "build: the shell meets itself (", error.what(),
+        "); repair the mesh there, or put a new surface around it: --repair wrap"));
+  }
+  result.after = state_of_shell("shell");
+}
+
+/// The dual of the surface as it came, at the same mean bond. Such a dual may be beyond any
+/// potential (atoms on top of each other); that is a finding, not a failure of the build.
+void Build::evaluate_input() {
+  try {
+    remesh::TriMesh original = result.original;
+    remesh::scale(original,
+                  dual::scale_for_size(original, dual::MeanBond{result.network.bond_mean}));
+    dual::ShellState state = dual::shell_state("dual of the input", dual::build_dual(original));
+    dual::add_energies(state, potentials::rebo(state.structure.atoms).energies,
+                       dual::graphene_energy);
+    result.before = std::move(state);
+  } catch (const dual::InvalidNetwork& error) {
+    result.notes.push_back(std::string("the input has no dual to compare with: ") + error.what());
+  } catch (const potentials::InvalidAtoms& error) {
+    result.notes.push_back(std::string("the input's dual has no energy: ") + error.what());
+  }
+}
+
+void Build::evaluate() {
+  begin(BuildStep::energies);
+  evaluate_shell();
+  evaluate_input();
+  end(BuildStep::energies);
+  note_misses(options_.shell.size, result);
+  note_findings(result);
+}
+
+/// Brings the atoms of the shell to rest under REBO. A stop keeps them where they have come.
+void Build::relax() {
+  begin(BuildStep::relax);
+  dual::Structure& structure = result.shell.structure;
+  const std::vector<Eigen::Vector3d> before = structure.atoms.positions;
+  potentials::Rebo rebo;
+  const auto on_progress = [&](const potentials::RelaxProgress& state) {
+    const bool goes_on = !options_.on_relax || options_.on_relax(state);
+    result.stopped = result.stopped || !goes_on;
+    return goes_on;
+  };
+  result.relaxed = potentials::relax(structure.atoms, rebo,
+                                     {.max_steps = options_.max_relaxation_steps,
+                                      .bonds = structure.bonds,
+                                      .on_progress = on_progress});
+  result.unrelaxed = std::move(result.after);
+  result.unrelaxed->name = "dual, not relaxed";
+  result.relaxation = report_relaxation(before, structure.bonds, *result.relaxed);
+  for (std::string& note : relax_notes(result.relaxation, *result.relaxed)) {
+    result.notes.push_back(std::move(note));
+  }
+  structure.atoms.positions = result.relaxed->atoms.positions;
+  result.network = dual::check_network(dual::without_hydrogen(structure));
+  result.energy = result.relaxed->result;
+  result.after = state_of_shell("relaxed shell");
+  result.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
+  end(BuildStep::relax);
+}
+
+}  // namespace
+
+BuildResult build(Surface surface, const BuildOptions& options) {
+  Build build(std::move(surface), options);
+  build.remesh();
+  build.measure();
+  build.evaluate();
+  if (options.relaxation == Relaxation::rebo) build.relax();
+  return std::move(build.result);
+}
+
+std::string stopped_note(const remesh::RemeshResult& net) {
+  return "stopped after " + std::to_string(net.iterations) +
+         " rounds, as asked; this is the best net so far";
+}
+
+dual::Structure BuildResult::structure() const {
+  dual::Structure structure = shell.structure;
+  structure.columns = dual::network_columns(structure);
+  structure.columns.push_back({.name = "component", .values = components.of_face});
+  dual::add_energies(structure, energy);
+  if (unrelaxed) dual::add_displacements(structure, unrelaxed->structure.atoms.positions);
+  return structure;
+}
+
+}  // namespace trivalent::shell

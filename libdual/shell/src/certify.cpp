@@ -1,0 +1,183 @@
+#include "trivalent/shell/certify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "pair_text.h"
+#include "trivalent/dual/bonding.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/potentials/bonds.h"
+#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/shell/number_text.h"
+
+namespace trivalent::shell {
+namespace {
+
+// What bonds of a carbon net at rest stay well within.
+constexpr double shortest_sound_bond = 1.25;   // [Å]
+constexpr double longest_sound_bond = 1.75;    // [Å]
+constexpr double smallest_sound_angle = 85.0;  // [degree]
+constexpr double largest_sound_angle = 155.0;  // [degree]
+// Where REBO ends: two atoms that are nearer pull at each other without a bond.
+constexpr double closest_sound_pair = 2.0;  // [Å]
+
+constexpr int n_worst = 5;
+constexpr std::size_t most_ids = 10;
+
+std::string ids_text(const std::vector<int>& atoms) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most_ids, atoms.size()); ++k) {
+    text += (k > 0 ? ", " : "") + std::to_string(atoms[k] + 1);
+  }
+  return text + (atoms.size() > most_ids ? ", ..." : "");
+}
+
+/// Atoms whose number of bonds nothing explains.
+std::vector<int> wrong_atoms(const potentials::Atoms& atoms, const dual::Bonding& bonding,
+                             const dual::ShellReport& shell, ShellEdge edge) {
+  std::vector<int> wrong = shell.odd_atoms;
+  if (edge == ShellEdge::none) return wrong;
+  std::erase_if(wrong, [&](int atom) {
+    const auto i = static_cast<std::size_t>(atom);
+    return atoms.species[i] == potentials::Species::carbon && bonding[i].size() == 2;
+  });
+  return wrong;
+}
+
+void find_wrong_geometry(Certificate& certificate) {
+  const dual::ShellReport& shell = certificate.shell;
+  auto& problems = certificate.problems;
+  const bool has_bonds = shell.longest_bond.atoms[0] >= 0;
+  if (has_bonds && shell.longest_bond.distance > longest_sound_bond) {
+    problems.push_back("the bond of " + pair_text(shell.longest_bond) + " Å is too long");
+  }
+  if (has_bonds && shell.shortest_bond.distance < shortest_sound_bond) {
+    problems.push_back("the bond of " + pair_text(shell.shortest_bond) + " Å is too short");
+  }
+  if (shell.smallest_angle.atom >= 0 && shell.smallest_angle.angle < smallest_sound_angle) {
+    problems.push_back("the angle of " + angle_text(shell.smallest_angle) + " is too small");
+  }
+  if (shell.largest_angle.angle > largest_sound_angle) {
+    problems.push_back("the angle of " + angle_text(shell.largest_angle) + " is too large");
+  }
+  const dual::AtomPair& closest = shell.closest_non_bonded;
+  if (closest.atoms[0] >= 0 && closest.distance < closest_sound_pair) {
+    problems.push_back("two atoms without a bond are only " + pair_text(closest) + " Å apart");
+  }
+}
+
+void check_topology(const dual::Structure& structure, ShellEdge edge, Certificate& certificate) {
+  const potentials::Atoms& atoms = structure.atoms;
+  const dual::Bonding bonding = dual::bonding_of(atoms, dual::find_bonds(atoms));
+  certificate.shell = dual::check_shell(atoms, bonding, dual::find_rings(bonding));
+  const dual::ShellReport& shell = certificate.shell;
+  auto& problems = certificate.problems;
+  const auto wrong = wrong_atoms(atoms, bonding, shell, edge);
+  if (!wrong.empty()) {
+    problems.push_back(std::to_string(wrong.size()) +
+                       " atoms do not have three bonds (hydrogen: one): " + ids_text(wrong));
+  }
+  if (shell.odd_atoms.empty() && shell.coordinations.size() == 1 && !shell.is_closed()) {
+    problems.push_back(std::to_string(shell.angles_without_ring) +
+                       " pairs of bonds lie in no ring of up to 12 atoms");
+  }
+  find_wrong_geometry(certificate);
+  if (structure.bonds.empty()) return;
+  const auto changes = potentials::bond_changes(atoms, structure.bonds);
+  if (!changes.broken.empty() || !changes.formed.empty()) {
+    problems.push_back(
+        std::to_string(changes.broken.size()) + " bonds of the file are longer than 2 Å, and " +
+        std::to_string(changes.formed.size()) + " pairs without a bond in the file are nearer");
+  }
+}
+
+/// Energies that the file claims.
+void compare_with_file(const dual::Structure& structure, Certificate& certificate) {
+  for (const dual::Column& column : structure.columns) {
+    const auto* claimed = std::get_if<std::vector<double>>(&column.values);
+    if (column.name != "energies" || claimed == nullptr) continue;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < claimed->size(); ++i) {
+      const double difference = std::abs((*claimed)[i] - certificate.energy.energies[i]);
+      largest = std::max(largest, difference / (1.0 + std::abs((*claimed)[i])));
+    }
+    if (largest > 1e-5) {
+      certificate.problems.push_back("the energies in the file are not those of its atoms");
+    }
+  }
+}
+
+void check_energies(const dual::Structure& structure, const CertifyOptions& options,
+                    Certificate& certificate) {
+  certificate.energy = make_potential(options.potential)->evaluate(structure.atoms);
+  certificate.summary = dual::summarize_energies(certificate.energy.energies, n_worst);
+  for (const Eigen::Vector3d& force : certificate.energy.forces) {
+    certificate.largest_force = std::max(certificate.largest_force, force.norm());
+  }
+  if (!(certificate.largest_force <= options.max_force)) {
+    certificate.problems.push_back("the atoms are not at rest: the largest force is " +
+                                   significant(certificate.largest_force) +
+                                   " eV/Å (trivalent relax brings them there)");
+  }
+  compare_with_file(structure, certificate);
+}
+
+void compare_with_lammps(const potentials::Atoms& atoms, const CertifyOptions& options,
+                         Certificate& certificate) {
+  LammpsOptions lammps = *options.lammps;
+  lammps.potential = find_potential(options.potential).lammps.value();
+  const potentials::EnergyForces theirs = run_lammps(atoms, {}, lammps).result;
+  const potentials::EnergyForces& ours = certificate.energy;
+  LammpsDifference largest;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < ours.energies.size(); ++i) {
+    largest.energy = std::max(largest.energy, std::abs(theirs.energies[i] - ours.energies[i]));
+    largest.force = std::max(largest.force, (theirs.forces[i] - ours.forces[i]).norm());
+    scale = std::max(scale, std::abs(ours.energies[i]));
+  }
+  certificate.lammps = largest;
+  if (largest.energy > 1e-8 + 1e-9 * scale ||
+      largest.force > 1e-7 * (1.0 + certificate.largest_force)) {
+    certificate.problems.push_back("LAMMPS finds other energies or forces: up to " +
+                                   significant(largest.energy, 3) + " eV and " +
+                                   significant(largest.force, 3) + " eV/Å");
+  }
+}
+
+DistanceSummary summarize(const std::vector<double>& distances) {
+  DistanceSummary summary;
+  for (const double distance : distances) {
+    summary.rms += distance * distance;
+    summary.largest = std::max(summary.largest, distance);
+  }
+  summary.rms = std::sqrt(summary.rms / static_cast<double>(distances.size()));
+  return summary;
+}
+
+void check_options(const CertifyOptions& options) {
+  if (!(options.max_force > 0.0)) throw dual::InvalidOption("certify: max_force must be > 0");
+  const KnownPotential& potential = find_potential(options.potential);
+  if (options.lammps && !potential.lammps) {
+    throw dual::InvalidOption("certify: LAMMPS is not asked for the potential " +
+                              std::string(potential.name));
+  }
+}
+
+}  // namespace
+
+Certificate certify(const dual::Structure& structure, const CertifyOptions& options) {
+  check_options(options);
+  Certificate certificate;
+  certificate.potential = options.potential.name;
+  check_topology(structure, options.edge, certificate);
+  check_energies(structure, options, certificate);
+  if (options.surface && structure.atoms.size() > 0) {
+    certificate.surface_distance =
+        summarize(remesh::distances_to_surface(structure.atoms.positions, *options.surface));
+  }
+  if (options.lammps) compare_with_lammps(structure.atoms, options, certificate);
+  return certificate;
+}
+
+}  // namespace trivalent::shell

@@ -1,0 +1,11 @@
+#include "trivalent/shell/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace trivalent::shell {
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace trivalent::shell

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "trivalent/dual/shell_checks.h"
+
+namespace trivalent::shell {
+
+// Lengths and angles with the ids of their atoms.
+[[nodiscard]] std::string pair_text(const dual::AtomPair& pair);
+[[nodiscard]] std::string angle_text(const dual::BondAngle& angle);
+
+}  // namespace trivalent::shell

@@ -1,0 +1,80 @@
+#include "trivalent/shell/potential_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/dual/graphene.h"
+#include "trivalent/potentials/airebo.h"
+#include "trivalent/potentials/rebo.h"
+
+namespace trivalent::shell {
+namespace {
+
+using PotentialPointer = std::unique_ptr<potentials::Potential>;
+
+// A new potential is a row here.
+constexpr std::array potentials_by_name = {
+    KnownPotential{.name = "rebo",
+                   .meaning = "second-generation REBO",
+                   .make = [](const PotentialChoice&) -> PotentialPointer {
+                     return std::make_unique<potentials::Rebo>();
+                   },
+                   .lammps = dual::LammpsPotential::rebo},
+    KnownPotential{.name = "airebo",
+                   .meaning = "AIREBO with all its terms",
+                   .make = [](const PotentialChoice&) -> PotentialPointer {
+                     return std::make_unique<potentials::Airebo>();
+                   },
+                   .lammps = dual::LammpsPotential::airebo},
+    KnownPotential{.name = "lj",
+                   .meaning = "Lennard-Jones",
+                   .make = [](const PotentialChoice& choice) -> PotentialPointer {
+                     return std::make_unique<potentials::LennardJones>(choice.lennard_jones);
+                   },
+                   .lammps = std::nullopt},
+};
+
+std::string list_of_names() {
+  std::string list;
+  for (const KnownPotential& each : potentials_by_name) {
+    if (!list.empty()) list += &each == &potentials_by_name.back() ? " or " : ", ";
+    list += each.name;
+  }
+  return list;
+}
+
+}  // namespace
+
+std::span<const KnownPotential> known_potentials() { return potentials_by_name; }
+
+const KnownPotential& find_potential(const PotentialChoice& choice) {
+  const auto found = std::ranges::find(potentials_by_name, choice.name, &KnownPotential::name);
+  if (found != potentials_by_name.end()) return *found;
+  throw dual::InvalidOption("the potential is " + list_of_names() + ", not '" + choice.name + "'");
+}
+
+PotentialPointer make_potential(const PotentialChoice& choice) {
+  return find_potential(choice).make(choice);
+}
+
+std::string exact_text(const PotentialChoice& choice) {
+  const auto& lj = choice.lennard_jones;
+  std::ostringstream text;
+  text.precision(17);
+  text << choice.name << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff << ' '
+       << lj.shift;
+  return text.str();
+}
+
+double graphene_reference(const PotentialChoice& choice) {
+  if (is_rebo(choice)) return dual::graphene_energy;
+  const potentials::Atoms cell = dual::graphene_cell();
+  return make_potential(choice)->evaluate(cell).energy / static_cast<double>(cell.size());
+}
+
+bool is_rebo(const PotentialChoice& choice) { return choice.name == "rebo"; }
+
+}  // namespace trivalent::shell

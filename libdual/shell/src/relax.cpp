@@ -1,0 +1,196 @@
+#include "trivalent/shell/relax.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "relax_files.h"
+#include "trivalent/dual/columns.h"
+#include "trivalent/dual/energy_summary.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/shell/atom_groups.h"
+#include "trivalent/shell/number_text.h"
+#include "trivalent/shell/reports.h"
+
+namespace trivalent::shell {
+namespace {
+
+void note(const RelaxOptions& options, const std::string& sentence) {
+  if (options.on_note) options.on_note(sentence);
+}
+
+void check_lammps_options(const RelaxOptions& options) {
+  const auto& styles = lammps_minimizers;
+  if (std::ranges::find(styles, options.lammps->style) == styles.end()) {
+    throw dual::InvalidOption("relax: LAMMPS has no min_style '" + options.lammps->style + "'");
+  }
+  if (!find_potential(options.potential).lammps) {
+    throw dual::InvalidOption("relax: LAMMPS is not asked for the potential " +
+                              options.potential.name);
+  }
+  if (options.trajectory) throw dual::InvalidOption("relax: LAMMPS writes no trajectory");
+}
+
+void check_options(const RelaxOptions& options) {
+  static_cast<void>(find_potential(options.potential));
+  if (!(options.max_force > 0.0)) throw dual::InvalidOption("relax: max_force must be > 0");
+  if (options.max_steps < 1) throw dual::InvalidOption("relax: max_steps must be at least 1");
+  if (options.trajectory && options.trajectory->every < 1) {
+    throw dual::InvalidOption("relax: a trajectory needs at least 1 step between structures");
+  }
+  if (options.lammps) check_lammps_options(options);
+}
+
+/// Bonds as the structure has them, or else guessed.
+std::vector<potentials::Bond> bonds_of(const dual::Structure& structure,
+                                       const RelaxOptions& options) {
+  if (!structure.bonds.empty()) return structure.bonds;
+  potentials::GuessedBonds guess = potentials::guess_bonds(structure.atoms);
+  note(options, guess_note(guess));
+  return std::move(guess.bonds);
+}
+
+/// A relaxation by our own minimizers, with what it leaves on disk.
+class OwnRelaxation {
+ public:
+  /// @param bonds  of the structure, or guessed
+  OwnRelaxation(const dual::Structure& structure, const std::vector<potentials::Bond>& bonds,
+                const RelaxOptions& options)
+      : options_(options), potential_(make_potential(options.potential)) {
+    own_ = {.minimizer = options.minimizer,
+            .max_force = options.max_force,
+            .energy_change = options.energy_change,
+            .max_steps = options.max_steps,
+            .box = options.box,
+            .fixed = atoms_in_groups(options.fixed, structure.atoms, bonds),
+            .bonds = structure.bonds,  // guessed ones may break and form
+            .checkpoint_every = options.checkpoint_every};
+    fingerprint_ = fingerprint(structure.atoms, own_, exact_text(options.potential));
+    if (options.trajectory)
+      trajectory_.emplace(options.trajectory->path, options.trajectory->every);
+    set_callbacks();
+  }
+
+  [[nodiscard]] potentials::RelaxResult run(const potentials::Atoms& atoms) {
+    auto relaxed = potentials::relax(resume_or_start(atoms), *potential_, own_);
+    if (stopped_) return relaxed;
+    if (trajectory_) trajectory_->finish();
+    return relaxed;
+  }
+
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+ private:
+  void set_callbacks() {
+    own_.on_checkpoint = [this](const potentials::RelaxCheckpoint& state) {
+      if (options_.checkpoint) {
+        save_relaxation(*options_.checkpoint, fingerprint_, state,
+                        trajectory_ ? trajectory_->size() : 0);
+      }
+    };
+    own_.on_progress = [this](const potentials::RelaxProgress& state) {
+      if (trajectory_) trajectory_->add(state);
+      stopped_ = options_.on_progress && !options_.on_progress(state);
+      return !stopped_;
+    };
+  }
+
+  std::optional<SavedRelaxation> load() {
+    if (!options_.checkpoint) return std::nullopt;
+    auto saved = load_relaxation(*options_.checkpoint, fingerprint_);
+    if (saved && trajectory_ && !trajectory_->resume(saved->trajectory_size, saved->steps)) {
+      return std::nullopt;
+    }
+    return saved;
+  }
+
+  /// Takes up what an interrupted run has left; returns the atoms to begin with.
+  potentials::Atoms resume_or_start(const potentials::Atoms& atoms) {
+    auto saved = load();
+    if (!saved) {
+      if (trajectory_) trajectory_->start();
+      return atoms;
+    }
+    note(options_, "going on from " + options_.checkpoint->string() + ", step " +
+                       std::to_string(saved->steps));
+    own_.start = potentials::RelaxStart::direct;
+    own_.first_step = saved->steps;
+    own_.first_evaluation = saved->evaluations;
+    // A box that only frames a cluster comes back padded.
+    if (!saved->atoms.box.is_periodic()) saved->atoms.box = atoms.box;
+    return std::move(saved->atoms);
+  }
+
+  const RelaxOptions& options_;
+  std::unique_ptr<potentials::Potential> potential_;
+  potentials::RelaxOptions own_;
+  std::string fingerprint_;
+  std::optional<Trajectory> trajectory_;
+  bool stopped_ = false;
+};
+
+potentials::RelaxResult relax_with_lammps(const potentials::Atoms& atoms,
+                                          const std::vector<potentials::Bond>& bonds,
+                                          const RelaxOptions& options) {
+  LammpsOptions run = options.lammps->run;
+  run.potential = find_potential(options.potential).lammps.value();
+  return run_lammps(atoms,
+                    {.style = options.lammps->style,
+                     .max_force = options.max_force,
+                     .max_steps = options.max_steps,
+                     .fixed = atoms_in_groups(options.fixed, atoms, bonds),
+                     .relax_box = options.box == potentials::BoxPolicy::pressure_free,
+                     .folder = options.lammps->folder,
+                     .on_progress = options.lammps->on_progress},
+                    run);
+}
+
+}  // namespace
+
+RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
+  check_options(options);
+  const auto bonds = bonds_of(structure, options);
+  RelaxedStructure result;
+  result.potential = options.potential.name;
+  if (options.lammps) {
+    result.relaxed = relax_with_lammps(structure.atoms, bonds, options);
+  } else {
+    OwnRelaxation relaxation(structure, bonds, options);
+    result.relaxed = relaxation.run(structure.atoms);
+    result.stopped = relaxation.stopped();
+  }
+  result.report = report_relaxation(structure.atoms.positions, bonds, result.relaxed);
+  result.notes = relax_notes(result.report, result.relaxed);
+  const std::vector<Eigen::Vector3d> before = std::move(structure.atoms.positions);
+  structure.atoms = result.relaxed.atoms;
+  dual::add_energies(structure, result.relaxed.result);
+  dual::add_displacements(structure, before);
+  result.structure = std::move(structure);
+  return result;
+}
+
+Json RelaxedStructure::json() const {
+  const auto summary = dual::summarize_energies(relaxed.result.energies, 0);
+  Json json = {{"potential", potential},
+               {"unit", "eV"},
+               {"atoms", relaxed.atoms.size()},
+               {"energy", relaxed.result.energy},
+               {"energy_per_atom", summary.mean}};
+  if (is_rebo({.name = potential})) json["excess_per_atom"] = summary.excess();
+  json["relaxation"] = relax_json(report, relaxed);
+  return json;
+}
+
+std::vector<dual::TableRow> RelaxedStructure::rows() const {
+  const auto summary = dual::summarize_energies(relaxed.result.energies, 0);
+  std::vector<dual::TableRow> rows = {{"potential", potential},
+                                      {"atoms", std::to_string(relaxed.atoms.size())},
+                                      {"energy", decimals(summary.total, 8) + " eV"},
+                                      {"per atom", decimals(summary.mean, 8) + " eV"}};
+  if (is_rebo({.name = potential})) {
+    rows.push_back({"above graphene", decimals(1000.0 * summary.excess(), 3) + " meV/atom"});
+  }
+  append(rows, relax_rows(report, relaxed));
+  return rows;
+}
+
+}  // namespace trivalent::shell

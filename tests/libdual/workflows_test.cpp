@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "small_meshes.h"
+#include "temporary_folder.h"
+#include "trivalent/dual/build_dual.h"
+#include "trivalent/dual/dual_size.h"
+#include "trivalent/dual/error.h"
+#include "trivalent/remesh/error.h"
+#include "trivalent/shell/atom_groups.h"
+#include "trivalent/shell/build.h"
+#include "trivalent/shell/build_files.h"
+#include "trivalent/shell/certify.h"
+#include "trivalent/shell/evaluate.h"
+#include "trivalent/shell/inspect.h"
+#include "trivalent/shell/names.h"
+#include "trivalent/shell/plan.h"
+#include "trivalent/shell/relax.h"
+#include "trivalent/shell/structure_source.h"
+
+namespace trivalent::shell {
+namespace {
+
+dual::Structure c20() {
+  remesh::TriMesh mesh = testing_support::icosahedron();
+  remesh::scale(mesh, dual::scale_for_size(mesh, dual::MeanBond{1.45}));
+  return dual::build_dual(mesh);
+}
+
+BuildOptions small_build() {
+  BuildOptions options;
+  options.shell.size = dual::AtomCount{240};
+  remesh::CrystalOptions method;
+  method.effort = remesh::Effort::quick;
+  options.shell.method = method;
+  return options;
+}
+
+TEST(Names, LeadBothWays) {
+  enum class Fruit { apple, pear, plum };
+  constexpr Names<Fruit, 3> names = {
+      {{"apple", Fruit::apple}, {"pear", Fruit::pear}, {"plum", Fruit::plum}}};
+  for (const auto& [name, value] : names) {
+    EXPECT_EQ(name_of(value, names), name);
+    EXPECT_EQ(value_named(name, names), value);
+  }
+  EXPECT_EQ(value_named("nut", names), std::nullopt);
+  EXPECT_EQ(list_of(names), "apple, pear or plum");
+}
+
+TEST(ParseShape, ReadsNameAndParameters) {
+  const ShapeCall call = parse_shape("torus:R=3,r=1.5");
+  EXPECT_EQ(call.name, "torus");
+  ASSERT_EQ(call.arguments.size(), 2u);
+  EXPECT_EQ(call.arguments[1].name, "r");
+  EXPECT_EQ(call.arguments[1].value, 1.5);
+  EXPECT_THROW(static_cast<void>(parse_shape("torus:R=wide")), remesh::InvalidOption);
+  EXPECT_TRUE(is_built_in("sphere:radius=2"));
+  EXPECT_FALSE(is_built_in("sphere.off"));
+}
+
+TEST(AtomsInGroups, JoinsGroupsInAscendingOrder) {
+  const dual::Structure structure = c20();
+  using Atoms = std::vector<std::uint32_t>;
+  EXPECT_EQ(atoms_in_groups({"ids:3-4", "ids:1,4"}, structure.atoms, structure.bonds),
+            (Atoms{0, 2, 3}));
+  EXPECT_EQ(atoms_in_groups({"edge"}, structure.atoms, structure.bonds), Atoms{});
+  EXPECT_EQ(atoms_in_groups({"sphere:0,0,0,100"}, structure.atoms, structure.bonds).size(), 20u);
+  for (const char* group : {"ids:21", "ids:0", "ids:2-1", "rim", "sphere:1,2,3", "box:1,2"}) {
+    EXPECT_THROW(atoms_in_groups({group}, structure.atoms, structure.bonds), dual::InvalidOption)
+        << group;
+  }
+}
+
+TEST(Potentials, AreFoundByTheirNames) {
+  for (const KnownPotential& potential : known_potentials()) {
+    const PotentialChoice choice = {.name = std::string(potential.name)};
+    EXPECT_TRUE(std::isfinite(graphene_reference(choice))) << potential.name;
+  }
+  EXPECT_THROW(static_cast<void>(make_potential({.name = "tersoff"})), dual::InvalidOption);
+  EXPECT_NE(exact_text({.name = "lj"}),
+            exact_text({.name = "lj", .lennard_jones = {.sigma = 3.0}}));
+}
+
+TEST(Plan, RefusesMoreAtomsThanCanBeCounted) {
+  const Surface sphere = read_surface("sphere", {});
+  EXPECT_NO_THROW(plan(sphere.mesh, {}).require_feasible());
+  const Plan large = plan(sphere.mesh, {.size = dual::AtomCount{100'000'000}});
+  ASSERT_FALSE(large.obstacles.empty());
+  EXPECT_THROW(large.require_feasible(), remesh::InvalidMesh);
+  EXPECT_EQ(large.json()["obstacles"].size(), large.obstacles.size());
+}
+
+TEST(Inspect, SaysWhyAFileCannotBeRead) {
+  const Inspection inspection = inspect("/nonexistent/a.off", {});
+  EXPECT_EQ(inspection.verdict, Verdict::hopeless);
+  EXPECT_FALSE(inspection.is_read);
+  EXPECT_NE(inspection.reason.find("/nonexistent/a.off"), std::string::npos);
+  EXPECT_EQ(inspection.json()["verdict"], "hopeless");
+}
+
+TEST(Build, GivesAShellAtRestThatIsSound) {
+  BuildOptions options = small_build();
+  std::vector<BuildStep> steps;
+  options.on_step = [&](BuildStep step) { steps.push_back(step); };
+  const BuildResult result = build(read_surface("sphere", options.shell), options);
+  EXPECT_FALSE(result.stopped);
+  EXPECT_EQ(steps, (std::vector{BuildStep::remesh_and_dual, BuildStep::measure, BuildStep::energies,
+                                BuildStep::relax}));
+  EXPECT_EQ(result.seconds.size(), steps.size());
+  const Certificate certificate = certify(result.structure());
+  EXPECT_TRUE(certificate.is_sound()) << certificate.json().dump(2);
+  EXPECT_TRUE(certificate.shell.is_closed());
+  EXPECT_NEAR(certificate.energy.energy, result.energy.energy, 1e-9);
+}
+
+TEST(Build, StopsTheRelaxationWhereItIs) {
+  BuildOptions options = small_build();
+  options.on_relax = [](const potentials::RelaxProgress&) { return false; };
+  const BuildResult result = build(read_surface("sphere", options.shell), options);
+  EXPECT_TRUE(result.stopped);
+  ASSERT_TRUE(result.relaxed);
+  EXPECT_FALSE(result.relaxed->converged);
+}
+
+TEST(WriteBuild, LeavesAShellThatReadsBackTheSame) {
+  const testing_support::TemporaryFolder folder;
+  BuildOptions options = small_build();
+  options.relaxation = Relaxation::none;
+  const BuildResult result = build(read_surface("sphere", options.shell), options);
+  write_build(folder.path(), result, {.digits = dual::Digits::seventeen_significant});
+  const auto file = read_structure(folder.path() / "shell.extxyz");
+  EXPECT_EQ(file.structure.atoms.positions, result.shell.structure.atoms.positions);
+  for (const char* name : {"surface.off", "shell.data", "in.check", "energy.ply", "energy.vtp"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+  }
+}
+
+TEST(Certify, FindsAtomsThatAreNotAtRest) {
+  const Certificate certificate = certify(c20());
+  EXPECT_FALSE(certificate.is_sound());
+  EXPECT_EQ(certificate.json()["sound"], false);
+  EXPECT_TRUE(certificate.shell.is_closed());
+  EXPECT_TRUE(certify(relax(c20()).structure).shell.is_closed());
+  EXPECT_THROW(static_cast<void>(certify(c20(), {.max_force = 0.0})), dual::InvalidOption);
+  EXPECT_THROW(
+      static_cast<void>(certify(c20(), {.potential = {.name = "lj"}, .lammps = LammpsOptions{}})),
+      dual::InvalidOption);
+}
+
+TEST(Relax, BringsAtomsToRestAndSaysHowFarTheyMoved) {
+  const dual::Structure start = c20();
+  const RelaxedStructure result = relax(start);
+  EXPECT_TRUE(result.relaxed.converged);
+  const Evaluation after = evaluate(result.structure, {.forces = ForceReport::all});
+  EXPECT_LE(after.json()["largest_force"].get<double>(), RelaxOptions().max_force * (1.0 + 1e-9));
+  const auto column =
+      std::ranges::find(result.structure.columns, "displacement", &dual::Column::name);
+  ASSERT_NE(column, result.structure.columns.end());
+  const auto& moved = std::get<std::vector<Eigen::Vector3d>>(column->values);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    EXPECT_LT((start.atoms.positions[i] + moved[i] - result.structure.atoms.positions[i]).norm(),
+              1e-12);
+  }
+}
+
+TEST(Relax, RefusesOptionsOutOfTheirRange) {
+  EXPECT_THROW(static_cast<void>(relax(c20(), {.max_force = 0.0})), dual::InvalidOption);
+  EXPECT_THROW(static_cast<void>(relax(c20(), {.max_steps = 0})), dual::InvalidOption);
+  EXPECT_THROW(static_cast<void>(relax(c20(), {.lammps = LammpsRelaxation{.style = "newton"}})),
+               dual::InvalidOption);
+}
+
+}  // namespace
+}  // namespace trivalent::shell
