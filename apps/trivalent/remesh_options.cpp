@@ -12,6 +12,9 @@ constexpr shell::Names<Method, 2> methods = {
 constexpr shell::Names<remesh::Effort, 3> efforts = {{{"quick", remesh::Effort::quick},
                                                       {"normal", remesh::Effort::normal},
                                                       {"thorough", remesh::Effort::thorough}}};
+constexpr shell::Names<remesh::Follow, 3> follows = {{{"close", remesh::Follow::close},
+                                                      {"carbon", remesh::Follow::carbon},
+                                                      {"free", remesh::Follow::free}}};
 constexpr shell::Names<remesh::Restriction, 2> restrictions = {
     {{"hard", remesh::Restriction::hard}, {"least-squares", remesh::Restriction::least_squares}}};
 
@@ -38,12 +41,13 @@ remesh::CrystalOptions crystal_options(const Session& session) {
   if (session.get<int>("seed") < 0) throw UsageError("--seed must not be negative");
   remesh::CrystalOptions options;
   options.effort = named_value(session, "effort", efforts);
+  options.follow = named_value(session, "follow", follows);
   options.seed = static_cast<std::uint64_t>(session.get<int>("seed"));
   return options;
 }
 
 remesh::RemeshOptions paper_options(const Session& session) {
-  refuse_options(session, {"effort", "seed"});
+  refuse_options(session, {"effort", "follow", "seed"});
   remesh::RemeshOptions options;
   options.iterations = session.get<int>("iterations");
   options.rings = session.get<int>("rings");
@@ -71,7 +75,10 @@ void add_remesh_options(po::options_description& options) {
        "project")  //
       ("effort", with_default_name(remesh::Effort::normal, efforts),
        "crystal: how long to search, quick, normal or thorough")  //
-      ("seed", with_default(0), "crystal: of the random moves")   //
+      ("follow", with_default_name(remesh::Follow::carbon, follows),
+       "crystal: how strongly the net is held to the surface: close, carbon (as far as a shell at "
+       "rest moves away) or free (lowest energy)")               //
+      ("seed", with_default(0), "crystal: of the random moves")  //
       ("feature-angle", po::value<double>(),
        "edges sharper than this [degrees] are creases and stay; default: none are")  //
       ("iterations", with_default(defaults.iterations), "paper: n, 1 to 1000")       //

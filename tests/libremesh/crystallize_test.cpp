@@ -46,6 +46,37 @@ TEST_P(Crystallize, MakesAlmostPerfectNetsOnClosedSurfaces) {
 }
 INSTANTIATE_TEST_SUITE_P(Shapes, Crystallize, testing::Values("sphere", "torus", "double-torus"));
 
+TEST(CrystallizeNet, NeedsNoScarsOnASphere) {
+  // Where defects cannot buckle, a sphere of this size has three pairs at every pentagon.
+  const TriMesh sphere = make_shape("sphere", {}, 0.05);
+  const CrystalOptions options = {.target_edge_length = 0.08, .rest = NetRest::in_space};
+  EXPECT_LE(measure_quality(crystallize(sphere, options).mesh).valences[7], 6);
+}
+
+TEST(CrystallizeNet, HasTheFacesThatFitTheArea) {
+  const TriMesh torus = make_shape("torus", {}, 0.1);
+  const double target = 0.12;
+  CrystalOptions options = quick(target);
+  options.rest = NetRest::in_space;
+  const TriMesh net = crystallize(torus, options).mesh;
+  const double faces = surface_area(torus) / (std::sqrt(3.0) / 4.0 * target * target);
+  EXPECT_NEAR(static_cast<double>(net.n_faces()), faces, 0.02 * faces);
+}
+
+TEST(CrystallizeNet, FollowsAsCloselyAsAsked) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.1);
+  double last = 0.0;
+  for (const Follow follow : {Follow::close, Follow::free}) {
+    CrystalOptions options = quick(0.12);
+    options.rest = NetRest::in_space;
+    options.follow = follow;
+    const double distance =
+        measure_distance(crystallize(sphere, options).mesh, sphere).root_mean_square();
+    EXPECT_GT(distance, last);
+    last = distance;
+  }
+}
+
 TEST(CrystallizeNet, BeginsCoarseThoughPartsAreThin) {
   // Ears and tusks are thinner than the coarse net's edges.
   const auto path = std::filesystem::path(TRIVALENT_MESHES) / "elephant.off";
@@ -97,6 +128,18 @@ TEST(CrystallizeNet, IsTheSameOnAnyNumberOfThreads) {
   for (const std::size_t threads : {1, 3}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     nets.push_back(points_of(crystallize(torus, quick(0.15)).mesh));
+  }
+  EXPECT_EQ(nets[0], nets[1]);
+}
+
+TEST(CrystallizeNet, IsTheSameInSpaceOnAnyNumberOfThreads) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  CrystalOptions options = quick(0.12);
+  options.rest = NetRest::in_space;
+  std::vector<std::vector<Eigen::Vector3d>> nets;
+  for (const std::size_t threads : {1, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    nets.push_back(points_of(crystallize(torus, options).mesh));
   }
   EXPECT_EQ(nets[0], nets[1]);
 }

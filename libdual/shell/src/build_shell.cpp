@@ -32,6 +32,13 @@ void check_options(const TriMesh& mesh, const ShellOptions& options) {
   }
 }
 
+/// The method, with nets left where carbon is nearly at rest.
+remesh::RemeshMethod method_at_rest(remesh::RemeshMethod method) {
+  auto* crystal = std::get_if<remesh::CrystalOptions>(&method);
+  if (crystal != nullptr) crystal->rest = remesh::NetRest::in_space;
+  return method;
+}
+
 /// [Å per unit of the mesh], where the size says it.
 double given_scale(const TriMesh& mesh, const ShellSize& size) {
   const auto* side = std::get_if<LongestSide>(&size);
@@ -86,7 +93,7 @@ class SharedProgress {
 void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
   shell.scale = given_scale(mesh, options.size);
   shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
-  shell.surface = remesh::remesh_by(mesh, options.method, shell.target_edge_length);
+  shell.surface = remesh::remesh_by(mesh, method_at_rest(options.method), shell.target_edge_length);
   shell.remeshings = 1;
 }
 
@@ -99,7 +106,7 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
   while (true) {
     remesh::RemeshResult surface;
     try {
-      surface = remesh::remesh_by(mesh, progress.next(), target);
+      surface = remesh::remesh_by(mesh, method_at_rest(progress.next()), target);
     } catch (const remesh::InvalidOption&) {
       if (shell.remeshings == 0) throw;
       break;  // the corrected length is more than a part can hold

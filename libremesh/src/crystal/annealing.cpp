@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "crystal/defect_moves.h"
 #include "crystal/net_patch.h"
 #include "crystal/spring_relaxation.h"
 #include "equalize/valence.h"
@@ -36,22 +37,6 @@ constexpr double least_gain = 1e-4;        // at temperature 0, so that rounding
 constexpr int rounds_per_relaxation = 10;  // 20 leave edges of a third of the length in thin parts
 constexpr int sweeps_per_relaxation = 4;
 
-/// A random number that depends on nothing but its arguments.
-std::uint64_t hashed(std::uint64_t a, std::uint64_t b) {
-  std::uint64_t x = a * 0x9E3779B97F4A7C15ULL + b;  // the steps of SplitMix64
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBULL;
-  return x ^ (x >> 31U);
-}
-
-double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11U) * 0x1.0p-53; }
-
-/// A move at the center of a patch: of the spoke number k, or of the rim beyond it.
-struct Move {
-  enum class Kind : std::uint8_t { flip_spoke, flip_rim, collapse, split } kind;
-  int k;
-};
-
 /// A move that was chosen: the patch after it, and where its vertices sit on the surface.
 struct Decision {
   std::optional<NetPatch> patch;
@@ -72,7 +57,9 @@ class Annealing {
       const double remaining = 1.0 - (round + 1.0) / options_.rounds;
       temperature_ = options_.first_temperature * remaining;
       seed_ = hashed(options_.seed, static_cast<std::uint64_t>(round));
-      const std::vector<VertexHandle> sites = disjoint_sites();
+      const std::vector<VertexHandle> sites = disjoint_sites(
+          mesh_, deviations_,
+          {.rings = patch_rings, .least_deviation = options_.least_deviation, .seed = seed_});
       std::vector<Decision> decisions(sites.size());
       tbb::parallel_for(std::size_t{0}, sites.size(),
                         [&](std::size_t i) { decisions[i] = decide(sites[i]); });
@@ -99,47 +86,8 @@ class Annealing {
     frames_ = motion_frames(constrained_);
   }
 
-  /// Irregular vertices in random order, those left out whose patch would touch an earlier one.
-  std::vector<VertexHandle> disjoint_sites() {
-    std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
-    for (const auto v : mesh_.vertices()) {
-      if (std::abs(deviations_[index(v)]) < options_.least_deviation || v.is_boundary()) continue;
-      irregular.emplace_back(hashed(seed_, static_cast<std::uint64_t>(v.idx())), v);
-    }
-    std::sort(irregular.begin(), irregular.end());
-    std::vector<VertexHandle> sites;
-    std::vector<bool> taken(mesh_.n_vertices(), false);
-    for (const auto& [key, v] : irregular) {
-      if (claim(v, taken)) sites.push_back(v);
-    }
-    return sites;
-  }
-
-  /// Marks the vertices of a patch as taken, unless one of them is already.
-  bool claim(VertexHandle center, std::vector<bool>& taken) {
-    std::vector<VertexHandle> patch = {center};
-    PatchMarks& marks = marks_.local();
-    marks.begin(mesh_.n_vertices());
-    marks.set(center, 0);
-    std::size_t begin = 0;
-    for (int ring = 0; ring <= patch_rings; ++ring) {
-      const std::size_t end = patch.size();
-      for (; begin < end; ++begin) {
-        if (taken[index(patch[begin])]) return false;
-        for (const auto neighbor : mesh_.vv_range(patch[begin])) {
-          if (marks.number(neighbor) >= 0) continue;
-          marks.set(neighbor, 0);
-          patch.push_back(neighbor);
-        }
-      }
-    }
-    // Fixed vertices may be shared: only what moves is taken, together with what holds it.
-    for (std::size_t i = 0; i < begin; ++i) taken[index(patch[i])] = true;
-    return true;
-  }
-
   [[nodiscard]] double energy_of(const NetPatch& patch) const {
-    return patch.strain(options_.length) + options_.core_energy * patch.disorder();
+    return patch.strain(options_.length) + options_.core_energy * patch.topology().disorder();
   }
 
   /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
@@ -147,20 +95,22 @@ class Annealing {
     Decision decision;
     NetPatch start(constrained_, frames_, center, patch_rings, marks_.local());
     if (!start.is_whole()) return decision;
-    const int disorder = start.disorder();
+    const int disorder = start.topology().disorder();
     // Thin parts have some already.
     const int most_steep = start.steep_corners() + options_.most_new_steep;
     start.relax(options_.length, sweeps);
     const double energy = energy_of(start);
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
     NetPatch patch = start;
-    for (const Move& move : shuffled_moves(start.valence(0), random)) {
+    for (const DefectMove& move : shuffled_moves(start.topology().valence(0), random)) {
       random = hashed(random, 1);
       const double most = largest_rise(uniform(random));
       patch = start;
-      if (!make(patch, move) || patch.disorder() > disorder + most_new_disorder) continue;
+      if (!make_move(patch, patch.topology(), move) ||
+          patch.topology().disorder() > disorder + most_new_disorder)
+        continue;
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
-        patch.relax(options_.length, trial.sweeps, start.count_within(trial.rings));
+        patch.relax(options_.length, trial.sweeps, start.topology().count_within(trial.rings));
         return energy_of(patch) - energy > most + trial.hopeless;
       });
       if (is_hopeless || patch.steep_corners() > most_steep) continue;
@@ -177,46 +127,12 @@ class Annealing {
     return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -least_gain;
   }
 
-  static std::vector<Move> shuffled_moves(int valence, std::uint64_t seed) {
-    std::vector<Move> moves;
-    for (int k = 0; k < valence; ++k) {
-      for (const auto kind : {Move::Kind::flip_spoke, Move::Kind::flip_rim, Move::Kind::collapse,
-                              Move::Kind::split}) {
-        moves.push_back({kind, k});
-      }
-    }
-    for (std::size_t left = moves.size(); left > 1; --left) {
-      seed = hashed(seed, 2);
-      std::swap(moves[left - 1], moves[seed % left]);
-    }
-    return moves;
-  }
-
-  static bool make(NetPatch& patch, const Move& move) {
-    const int spoke = patch.neighbor(0, move.k);
-    const int next = patch.neighbor(0, (move.k + 1) % patch.valence(0));
-    switch (move.kind) {
-      case Move::Kind::flip_spoke:
-        return patch.flip(0, spoke);
-      case Move::Kind::flip_rim:
-        return patch.flip(spoke, next);
-      case Move::Kind::collapse:
-        if (!patch.collapse(0, spoke)) return false;
-        break;
-      case Move::Kind::split:
-        if (!patch.split(0, spoke)) return false;
-        break;
-    }
-    patch.mend_valences();
-    return true;
-  }
-
   /// Puts the patch onto the surface.
   void project(Decision& decision) const {
     NetPatch& patch = *decision.patch;
-    const Anchor center = constrained_.anchor(patch.vertex(0));
-    for (int i = 0; i < patch.size(); ++i) {
-      const VertexHandle v = patch.vertex(i);
+    const Anchor center = constrained_.anchor(patch.topology().vertex(0));
+    for (int i = 0; i < patch.topology().inner_count(); ++i) {
+      const VertexHandle v = patch.topology().vertex(i);
       Anchor anchor;
       anchor.face = center.face;  // near enough for a new vertex
       if (v.is_valid()) anchor = constrained_.anchor(v);
@@ -234,46 +150,18 @@ class Annealing {
 
   void apply(const Decision& decision) {
     const NetPatch& patch = *decision.patch;
-    const std::vector<VertexHandle> vertices = change_connectivity(patch);
+    const std::vector<VertexHandle> vertices = change_connectivity(constrained_, patch.topology());
     deviations_.resize(mesh_.n_vertices(), 0);
     frames_.resize(mesh_.n_vertices());
-    for (int i = 0; i < patch.size(); ++i) {
+    for (int i = 0; i < patch.topology().inner_count(); ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if (patch.valence(i) == 0) continue;
-      deviations_[index(vertices[k])] = patch.deviation(i);
+      if (!patch.topology().is_inside(i)) continue;
+      deviations_[index(vertices[k])] = patch.topology().deviation(i);
       if (!patch.is_free(i)) continue;
       mesh_.point(vertices[k]) = decision.positions[k];
       constrained_.set_anchor(vertices[k], decision.anchors[k]);
       frames_[index(vertices[k])] = decision.frames[k];
     }
-  }
-
-  /// Repeats a patch's changes on the mesh.
-  ///
-  /// @return The vertices of the patch, new ones included.
-  std::vector<VertexHandle> change_connectivity(const NetPatch& patch) {
-    std::vector<VertexHandle> vertices;
-    for (int i = 0; i < patch.size() && patch.vertex(i).is_valid(); ++i) {
-      vertices.push_back(patch.vertex(i));
-    }
-    for (const PatchChange& change : patch.changes()) {
-      const HalfedgeHandle h = mesh_.find_halfedge(vertices[change.from], vertices[change.to]);
-      switch (change.kind) {
-        case PatchChange::Kind::flip:
-          mesh_.flip(mesh_.edge_handle(h));
-          break;
-        case PatchChange::Kind::collapse:
-          mesh_.collapse(h);
-          break;
-        case PatchChange::Kind::split:
-          vertices.push_back(mesh_.split(mesh_.edge_handle(h), Eigen::Vector3d(0.0, 0.0, 0.0)));
-          for (const auto spoke : mesh_.ve_range(vertices.back())) {
-            constrained_.set_curve(spoke, std::nullopt);
-          }
-          break;
-      }
-    }
-    return vertices;
   }
 
   ConstrainedMesh& constrained_;

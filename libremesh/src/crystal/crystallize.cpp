@@ -1,393 +1,41 @@
 #include "trivalent/remesh/crystallize.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <vector>
+#include <utility>
 
-#include "crystal/annealing.h"
-#include "crystal/inflation.h"
-#include "crystal/spring_relaxation.h"
-#include "crystal/thin_parts.h"
+#include "crystal/membrane_search.h"
 #include "equalize/paper_loop.h"
-#include "equalize/sliding.h"
 #include "trivalent/remesh/error.h"
-#include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
 
 namespace {
 
-/// A net that is to be annealed, and the surface it lies on.
-struct Net {
-  TriMesh mesh;
-  ConstrainedMesh on_surface;
+/// Farther than this [m] from the net a part of the surface is left out: where carbon is at rest it
+/// is up to five edges away from a smooth surface.
+constexpr double max_reach = 6.0;
 
-  Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
-};
-
-/// One annealing, at one edge length.
-struct Stage {
-  double first_temperature;
-  double core_energy;
-  int rounds;
-};
-
-/// At twice the target length the net orders as a whole: hot, slow, and cheap, as vertices are few.
-constexpr Stage coarse_stage = {.first_temperature = 0.1, .core_energy = 0.0, .rounds = 1600};
-/// How a net freezes is luck, which averages out in a large one: the coarse net is annealed as
-/// often as makes this many vertices in all, and the best is taken.
-constexpr int searched_vertices = 6000;
-constexpr int most_searches = 4;
-constexpr std::size_t most_refined = 2;  // of these, if the best ends up crossing itself
-/// At the target length defects only find their places, and pairs that cost more than they relieve
-/// vanish.
-constexpr Stage fine_stage = {.first_temperature = 0.03, .core_energy = 0.03, .rounds = 300};
-/// At the target length without a coarse stage before.
-constexpr Stage only_stage = {.first_temperature = 0.1, .core_energy = 0.03, .rounds = 800};
-
-/// Iterations of the paper's loop that make the net to start from.
-constexpr int first_iterations = 20;
-constexpr int quick_first_iterations = 14;  // after 8, folds of some coarse nets are left
-constexpr int valence_rounds = 20;          // that mend the last valences outside 5 to 7
-constexpr int closing_sweeps = 200;         // of the springs, once defects are at rest
-constexpr int quick_closing_sweeps = 80;
-constexpr int settling_sweeps = 20;  // once faces lie half inside and half outside
-constexpr int opening_sweeps = 60;   // before they move
-constexpr int mending_sweeps = 20;   // before what they cannot mend is found
-
-/// Of the length: how far a vertex may walk on its sheet.
-constexpr double sheet_reach = 0.1;
-/// Parts thinner than this [target lengths] are inflated for a coarse net.
-constexpr double thinnest_for_coarse = 3.0;
-/// The same if there is none: nets on limbs thicker than needed cross themselves at their own size.
-constexpr double thinnest_for_fine = 1.5;
-
-/// Of the faces: how many may be flawed.
-constexpr double most_astray = 0.003;
-
-/// A coarse net must have room for patches, or there is nothing to gain.
-constexpr int fewest_coarse_vertices = 150;
-
-int crossings(const TriMesh& mesh) { return measure_quality(mesh).self_intersections; }
-
-/// Of the vertices of a surface to a net.
-std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
-  const std::vector<Eigen::Vector3d> points(surface.points(),
-                                            surface.points() + surface.n_vertices());
-  return distances_to_surface(points, net);
+bool is_open(const TriMesh& mesh) {
+  return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
-/// Whether the net of this edge length sees the shape, but for a few thin parts that can be mended
-/// after the division: all but a few faces look about where the surface does at their corners and
-/// cross none, and no part of the surface is left out.
-bool is_sound(const Net& net, const TriMesh& surface, double length) {
-  constexpr double least_cosine = 0.25;
-  constexpr double farthest_covered = 1.6;  // edges: tips may be cut off, but no fingers
-  int astray = crossings(net.mesh);
-  for (const auto f : net.mesh.faces()) {
-    const Eigen::Vector3d normal = net.mesh.calc_normal(f);
-    Eigen::Vector3d there = Eigen::Vector3d::Zero();
-    for (const auto v : f.vertices()) there += net.on_surface.normal(v);
-    if (normal.dot(there) < least_cosine * there.norm()) ++astray;
-  }
-  if (astray > most_astray * static_cast<double>(net.mesh.n_faces())) return false;
-  return std::ranges::max(distances_from(surface, net.mesh)) < farthest_covered * length;
+/// The net of the membrane where that is better, or else that of springs.
+FoundNet search(const SearchSurface& surface, const CrystalOptions& options, SearchWatch& watch) {
+  const bool has_curves =
+      is_open(surface.mesh) || std::ranges::find(surface.creases, true) != surface.creases.end();
+  // On the surface a net without scars has unequal edges: 6.7 % instead of 4 % on a sphere.
+  if (has_curves || options.rest == NetRest::on_surface)
+    return search_springs(surface, options, watch);
+  std::optional<FoundNet> membrane = search_membrane(surface, options, watch);
+  if (!membrane) return search_springs(surface, options, watch);
+  const double m = options.target_edge_length;
+  const Flaws flaws = find_flaws(membrane->mesh, surface.mesh, m, max_reach);
+  const bool is_sound = flaws.left_out == 0.0 && flaws.crossings <= count_crossings(surface.mesh);
+  if (is_sound || watch.stopped()) return std::move(*membrane);
+  FoundNet springs = search_springs(surface, options, watch);
+  const Flaws other = find_flaws(springs.mesh, surface.mesh, m, max_reach);
+  return other.sum() < flaws.sum() ? std::move(springs) : std::move(*membrane);
 }
-
-/// How the area of a net changes on the way from an inflated surface to the surface itself, times
-/// the part of the surface that was inflated. Few inflated parts are left to find room by
-/// themselves, so that the others keep their density.
-double shrinkage(const TriMesh& inflated, const TriMesh& surface) {
-  double moved = 0.0;
-  for (const auto f : inflated.faces()) {
-    const auto moves = [&](VertexHandle v) { return inflated.point(v) != surface.point(v); };
-    if (std::ranges::any_of(f.vertices(), moves)) moved += inflated.calc_face_area(f);
-  }
-  const double whole = surface_area(inflated);
-  return 1.0 - moved / whole * (1.0 - surface_area(surface) / whole);
-}
-
-/// What tells good coarse nets from bad ones: over twenty seeds on the rocker-arm, its correlation
-/// with REBO's energy of the finished shells is 0.75 (of the strain alone, 0.68).
-double energy_of(const TriMesh& mesh, double length) {
-  constexpr double core = 0.07;  // in units of the springs
-  const auto irregular = std::ranges::count_if(
-      mesh.vertices(), [](const auto v) { return v.valence() != (v.is_boundary() ? 4U : 6U); });
-  return static_cast<double>(mesh.n_edges()) * spring_strain(mesh, length) +
-         core * static_cast<double>(irregular);
-}
-
-class Crystallization {
- public:
-  Crystallization(TriMesh surface, const CrystalOptions& options)
-      : surface_(std::move(surface)),
-        creases_(find_creases(surface_, options.feature_angle)),
-        options_(options),
-        area_(surface_area(surface_)) {}
-
-  RemeshResult run() {
-    std::unique_ptr<Net> net = from_coarse_net();
-    bool coarse_start = net != nullptr;
-    if (!net) {
-      net = from_fine_net();
-    } else if (!stopped_ && are_new(crossings(net->mesh))) {
-      // Some thin part was still too thin for the coarse net. But a net without crossings may have
-      // lost that part.
-      std::unique_ptr<Net> other = from_fine_net();
-      if (flaws(other->mesh).sum() < flaws(net->mesh).sum()) {
-        net = std::move(other);
-        coarse_start = false;
-      }
-    }
-    const RemeshProgress state = measure_progress(net->mesh);
-    RemeshResult result;
-    result.mesh = std::move(net->mesh);
-    result.iterations = rounds_done_;
-    result.relative_spread = state.relative_spread;
-    result.regular_fraction = state.regular_fraction;
-    result.stopped = stopped_;
-    result.coarse_start = coarse_start;
-    return result;
-  }
-
- private:
-  /// Whether a net with so many crossings crosses itself more often than the surface.
-  [[nodiscard]] bool are_new(int crossings_of_net) const {
-    return crossings_of_net > 0 && crossings_of_net > crossings(surface_);
-  }
-
-  /// Faces that would fit the part of the surface that is farther from the net than an edge.
-  [[nodiscard]] double faces_left_out(const TriMesh& net) const {
-    const double m = options_.target_edge_length;
-    const std::vector<double> distances = distances_from(surface_, net);
-    double area = 0.0;
-    for (const auto f : surface_.faces()) {
-      const auto is_far = [&](const auto v) { return distances[index(v)] > m; };
-      if (std::ranges::any_of(f.vertices(), is_far)) area += surface_.calc_face_area(f);
-    }
-    return area / (std::sqrt(3.0) / 4.0 * m * m);
-  }
-
-  /// What is wrong with a net, in faces.
-  struct Flaws {
-    int crossings;
-    double left_out;
-    [[nodiscard]] double sum() const { return crossings + left_out; }
-    /// Whether more is covered, and not by faces that cross.
-    [[nodiscard]] bool is_better_than(const Flaws& other) const {
-      return crossings <= other.crossings && left_out < other.left_out;
-    }
-  };
-  [[nodiscard]] Flaws flaws(const TriMesh& net) const {
-    return {crossings(net), faces_left_out(net)};
-  }
-
-  [[nodiscard]] RemeshOptions paper_options(double length) const {
-    return {
-        .target_edge_length = length,
-        .iterations = options_.effort == Effort::quick ? quick_first_iterations : first_iterations};
-  }
-
-  /// Null if there is no coarse net.
-  std::unique_ptr<Net> from_coarse_net() {
-    const double m = options_.target_edge_length;
-    auto net = std::make_unique<Net>(surface_, creases_);
-    const TriMesh room = inflated(net->on_surface, thinnest_for_coarse * m).value_or(surface_);
-    std::unique_ptr<Net> coarse = coarse_net(room);
-    if (!coarse) return nullptr;
-    net->on_surface.stay_on_sheets(sheet_reach * m);
-    const double coarse_length =
-        2.0 * m *
-        std::sqrt(surface_area(coarse->mesh) / area_divided(*coarse) / shrinkage(room, surface_));
-    const int searches = searches_for(*coarse);
-    rounds_ += searches * rounds_of(coarse_stage) + rounds_of(fine_stage);
-    ConstrainedMesh::State best;
-    std::optional<int> fewest_crossings;
-    for (const auto& [energy, state] :
-         anneal_often(*coarse, coarse_length, coarse_stage, searches)) {
-      if (fewest_crossings) rounds_ += rounds_of(fine_stage);
-      divide(state, *coarse, room, *net);
-      refine(*net);
-      const int count = crossings(net->mesh);
-      if (!fewest_crossings || count < *fewest_crossings) {
-        fewest_crossings = count;
-        best = net->on_surface.state();
-      }
-      if (stopped_ || !are_new(count)) break;
-    }
-    net->on_surface.restore(best);
-    return net;
-  }
-
-  [[nodiscard]] int searches_for(const Net& coarse) const {
-    if (options_.effort == Effort::quick) return 1;
-    return std::clamp(searched_vertices / static_cast<int>(coarse.mesh.n_vertices()), 1,
-                      most_searches);
-  }
-
-  /// Divides a coarse net onto the surface.
-  void divide(const ConstrainedMesh::State& coarse_state, Net& coarse, const TriMesh& room,
-              Net& net) const {
-    coarse.on_surface.restore(coarse_state);
-    coarse.on_surface.subdivide();
-    net.on_surface.restore(carried_over(coarse.on_surface.state(), room, surface_));
-  }
-
-  /// The area of a coarse net once it is divided, half inside and half outside. Its own is less, as
-  /// chords cut the surface.
-  static double area_divided(Net& coarse) {
-    const ConstrainedMesh::State state = coarse.on_surface.state();
-    coarse.on_surface.subdivide();
-    straddle_surface(coarse.on_surface);
-    const double area = surface_area(coarse.mesh);
-    coarse.on_surface.restore(state);
-    return area;
-  }
-
-  /// Brings a net that comes from twice the target length to the target length.
-  void refine(Net& net) {
-    const double m = options_.target_edge_length;
-    relax_springs(net.on_surface, m, mending_sweeps);
-    mend_thin_parts(net.on_surface, surface_, m);
-    anneal_net(net, m, fine_stage);
-    // Moves in one sheet of a thin part do not see the other.
-    if (are_new(crossings(net.mesh))) mend_thin_parts(net.on_surface, surface_, m);
-    finish(net);
-  }
-
-  std::unique_ptr<Net> from_fine_net() {
-    const double m = options_.target_edge_length;
-    std::unique_ptr<Net> net = annealed_fine_net(first_net(surface_, m));
-    const Flaws flaws_of_net = flaws(net->mesh);
-    const double accepted = most_astray * static_cast<double>(net->mesh.n_faces());
-    if (stopped_ || flaws_of_net.left_out <= accepted) return net;
-    // Plates are lost from their rims inwards, unless they are thick at first.
-    auto other = std::make_unique<Net>(surface_, creases_);
-    const auto room = inflated(other->on_surface, thinnest_for_fine * m);
-    if (!room) return net;
-    other->on_surface.restore(
-        carried_over(first_net(*room, m)->on_surface.state(), *room, surface_));
-    other->on_surface.stay_on_sheets(sheet_reach * m);
-    other = annealed_fine_net(std::move(other));
-    return flaws(other->mesh).is_better_than(flaws_of_net) ? std::move(other) : std::move(net);
-  }
-
-  /// Annealed from the start, and mended if it leaves something out and is the better for it.
-  std::unique_ptr<Net> annealed_fine_net(std::unique_ptr<Net> net) {
-    const double m = options_.target_edge_length;
-    rounds_ += rounds_of(only_stage);
-    anneal_net(*net, m, only_stage);
-    const ConstrainedMesh::State annealed = net->on_surface.state();
-    finish(*net);
-    const Flaws flaws_of_net = flaws(net->mesh);
-    if (flaws_of_net.left_out == 0.0) return net;
-    const ConstrainedMesh::State finished = net->on_surface.state();
-    net->on_surface.restore(annealed);
-    mend_thin_parts(net->on_surface, surface_, m);
-    finish(*net);
-    if (!flaws(net->mesh).is_better_than(flaws_of_net)) net->on_surface.restore(finished);
-    return net;
-  }
-
-  void finish(Net& net) const {
-    const double m = options_.target_edge_length;
-    // A valence outside 5 to 7 is worth more strain than a pair of other defects.
-    anneal(net.on_surface, {.length = m,
-                            .core_energy = 1.0,
-                            .rounds = valence_rounds,
-                            .seed = options_.seed,
-                            .least_deviation = 2,
-                            .most_new_steep = 2});
-    relax_springs(net.on_surface, m,
-                  options_.effort == Effort::quick ? quick_closing_sweeps : closing_sweeps);
-    straddle_surface(net.on_surface);
-    settle_springs(net.on_surface, m, settling_sweeps);
-    if (crossings(net.mesh) == 0) return;
-    unfold(net.on_surface);
-    if (crossings(surface_) == 0) part_sheets(net.on_surface);
-  }
-
-  /// The surface remeshed by the paper's loop.
-  [[nodiscard]] std::unique_ptr<Net> first_net(const TriMesh& surface, double length) const {
-    auto net = std::make_unique<Net>(surface, creases_);
-    remesh_in_place(net->on_surface, paper_options(length), [](const RemeshProgress&) {});
-    net->on_surface.stay_on_sheets(sheet_reach * length);
-    return net;
-  }
-
-  /// A net of twice the target length, unless the surface is too small or too thin for one.
-  [[nodiscard]] std::unique_ptr<Net> coarse_net(const TriMesh& surface) const {
-    const double length = 2.0 * options_.target_edge_length;
-    const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
-    if (area_ < fewest_coarse_vertices * unit_area * length * length) return nullptr;
-    try {
-      check_remeshable(surface, paper_options(length));
-    } catch (const InvalidOption&) {
-      return nullptr;  // a part of the surface cannot hold so long an edge
-    }
-    std::unique_ptr<Net> net = first_net(surface, length);
-    unfold(net->on_surface);
-    relax_springs(net->on_surface, length, opening_sweeps);
-    return is_sound(*net, surface, length) ? std::move(net) : nullptr;
-  }
-
-  [[nodiscard]] int rounds_of(const Stage& stage) const {
-    return static_cast<int>(std::lround(stage.rounds * effort_factor(options_.effort)));
-  }
-
-  using Candidate = std::pair<double, ConstrainedMesh::State>;  // the energy of a net, and the net
-
-  /// Anneals the net several times, hot again each time; the best that come out, best first.
-  std::vector<Candidate> anneal_often(Net& net, double length, const Stage& stage, int times) {
-    std::vector<Candidate> candidates;
-    for (int k = 0; k == 0 || (k < times && !stopped_); ++k) {
-      anneal_net(net, length, stage);
-      candidates.emplace_back(energy_of(net.mesh, length), net.on_surface.state());
-    }
-    std::ranges::stable_sort(candidates, {}, &Candidate::first);
-    if (candidates.size() > most_refined) candidates.resize(most_refined);
-    return candidates;
-  }
-
-  void anneal_net(Net& net, double length, const Stage& stage) {
-    relax_springs(net.on_surface, length, opening_sweeps);
-    if (stopped_) return;
-    anneal(net.on_surface, {.length = length,
-                            .core_energy = stage.core_energy,
-                            .first_temperature = stage.first_temperature,
-                            .rounds = rounds_of(stage),
-                            .seed = next_seed(),
-                            .after_round = [&](int) { return goes_on(net.mesh, length); }});
-  }
-
-  /// Another one for each annealing; the odd constant keeps those of small seeds apart.
-  std::uint64_t next_seed() { return options_.seed + 0x9E3779B97F4A7C15ULL * annealings_++; }
-
-  bool goes_on(const TriMesh& mesh, double length) {
-    constexpr int rounds_per_report = 25;
-    ++rounds_done_;
-    if (options_.should_stop && options_.should_stop()) stopped_ = true;
-    const bool reports = rounds_done_ % rounds_per_report == 0 || rounds_done_ == rounds_;
-    if (options_.on_progress && reports) {
-      RemeshProgress progress = measure_progress(mesh);
-      progress.iteration = rounds_done_;
-      progress.iterations = rounds_;
-      progress.strain = spring_strain(mesh, length);
-      options_.on_progress(progress);
-    }
-    return !stopped_;
-  }
-
-  TriMesh surface_;
-  Creases creases_;  // an inflated copy has the same, though its angles differ
-  const CrystalOptions& options_;
-  double area_;
-  int rounds_ = 0;
-  int rounds_done_ = 0;
-  std::uint64_t annealings_ = 0;
-  bool stopped_ = false;
-};
 
 }  // namespace
 
@@ -406,7 +54,19 @@ double effort_factor(Effort effort) {
 RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
   check_remeshable(mesh, {.target_edge_length = options.target_edge_length,
                           .feature_angle = options.feature_angle});
-  return Crystallization(with_edges_divided(mesh, options.target_edge_length), options).run();
+  const TriMesh surface = with_edges_divided(mesh, options.target_edge_length);
+  const Creases creases = find_creases(surface, options.feature_angle);
+  SearchWatch watch(options);
+  FoundNet net = search({surface, creases}, options, watch);
+  const RemeshProgress state = measure_progress(net.mesh);
+  RemeshResult result;
+  result.mesh = std::move(net.mesh);
+  result.iterations = watch.rounds_done();
+  result.relative_spread = state.relative_spread;
+  result.regular_fraction = state.regular_fraction;
+  result.stopped = watch.stopped();
+  result.coarse_start = net.coarse_start;
+  return result;
 }
 
 RemeshResult remesh_by(const TriMesh& mesh, RemeshMethod method, double target_edge_length) {

@@ -7,214 +7,49 @@
 namespace trivalent::remesh {
 
 NetPatch::NetPatch(const ConstrainedMesh& constrained, const std::vector<MotionFrame>& frames,
-                   VertexHandle center, int rings, PatchMarks& marks) {
-  const TriMesh& mesh = constrained.mesh;
-  marks.begin(mesh.n_vertices());
-  const auto add = [&](VertexHandle v) {
-    if (count_ + 4 >= capacity) {  // room for splits
-      whole_ = false;
-      return;
-    }
-    marks.set(v, count_);
-    vertex_[at(count_)] = v;
-    ++count_;
-  };
-  origin_ = mesh.point(center);
-  add(center);
-  int ring_begin = 0;
-  int inside = 0;
-  for (int ring = 0; ring <= rings && whole_; ++ring) {
-    const int ring_end = count_;
-    for (int i = ring_begin; i < ring_end; ++i) {
-      for (auto h = mesh.halfedge_handle(vertex_[at(i)]), first = h;;) {
-        const VertexHandle to = mesh.to_vertex_handle(h);
-        if (marks.number(to) < 0) add(to);
-        if (!whole_) return;
-        h = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
-        if (h == first) break;
-      }
-    }
-    inside = ring_end;
-    ring_end_[at(ring)] = ring_end;
-    ring_begin = ring_end;
-  }
-  for (int i = 0; i < count_; ++i) {
-    const VertexHandle v = vertex_[at(i)];
-    const Anchor& anchor = constrained.anchor(v);
-    place_[at(i)] = in_lanes(mesh.point(v) - origin_);
-    ring_[at(i)].fill(static_cast<std::uint8_t>(i));
-    on_feature_[at(i)] = anchor.kind != FeatureKind::none;
-    open_[at(i)] = mesh.is_boundary(v);
-    goal_[at(i)] = open_[at(i)] ? 4 : 6;
-    valence_[at(i)] = 0;
+                   VertexHandle center, int rings, PatchMarks& marks)
+    : topology_(constrained, center, {.inner = rings, .known = rings}, marks),
+      origin_(constrained.mesh.point(center)) {
+  if (!is_whole()) return;
+  for (int i = 0; i < topology_.size(); ++i) {
     mobility_[at(i)] = 0;
-    if (i >= inside) continue;
+    place_[at(i)] = Vector::Zero();
+    const VertexHandle v = topology_.vertex(i);
+    if (!v.is_valid()) continue;
+    place_[at(i)] = in_lanes(constrained.mesh.point(v) - origin_);
+    if (!topology_.is_inside(i)) continue;
     const MotionFrame& frame = frames[index(v)];
     mobility_[at(i)] = static_cast<std::uint8_t>(frame.freedoms);
     normal_[at(i)] = in_lanes(frame.normal);
     first_[at(i)] = in_lanes(frame.first);
     second_[at(i)] = in_lanes(frame.second);
-    // The first halfedge of a boundary vertex is its boundary one: what follows counter-clockwise
-    // ends at the other boundary neighbor.
-    auto h = mesh.halfedge_handle(v);
-    const auto first = h;
-    if (open_[at(i)]) h = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
-    const auto begin = open_[at(i)] ? h : first;
-    int k = 0;
-    do {
-      if (k == most_neighbors) {
-        whole_ = false;
-        return;
-      }
-      ring_[at(i)][at(k++)] = static_cast<std::uint8_t>(marks.number(mesh.to_vertex_handle(h)));
-      h = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
-    } while (h != begin);
-    valence_[at(i)] = static_cast<std::uint8_t>(k);
   }
-}
-
-int NetPatch::disorder() const {
-  int sum = 0;
-  for (int i = 0; i < count_; ++i) {
-    if (is_inside(i)) sum += deviation(i) * deviation(i);
-  }
-  return sum;
-}
-
-int NetPatch::place_in_ring(int v, int neighbor) const {
-  for (int k = 0; k < valence_[at(v)]; ++k) {
-    if (ring_[at(v)][at(k)] == neighbor) return k;
-  }
-  return -1;
-}
-
-/// The neighbor that follows counter-clockwise, or -1 where the ring ends.
-int NetPatch::next_in_ring(int v, int neighbor) const {
-  const int k = place_in_ring(v, neighbor) + 1;
-  if (k < valence_[at(v)]) return ring_[at(v)][at(k)];
-  return open_[at(v)] ? -1 : ring_[at(v)][0];
-}
-
-int NetPatch::previous_in_ring(int v, int neighbor) const {
-  const int k = place_in_ring(v, neighbor) - 1;
-  if (k >= 0) return ring_[at(v)][at(k)];
-  return open_[at(v)] ? -1 : ring_[at(v)][at(valence_[at(v)] - 1)];
-}
-
-void NetPatch::remove_from_ring(int v, int neighbor) {
-  Ring& ring = ring_[at(v)];
-  const auto end = ring.begin() + valence_[at(v)];
-  std::copy(ring.begin() + place_in_ring(v, neighbor) + 1, end,
-            ring.begin() + place_in_ring(v, neighbor));
-  --valence_[at(v)];
-}
-
-void NetPatch::insert_after(int v, int neighbor, int inserted) {
-  Ring& ring = ring_[at(v)];
-  const auto place = ring.begin() + place_in_ring(v, neighbor) + 1;
-  const auto end = ring.begin() + valence_[at(v)];
-  std::copy_backward(place, end, end + 1);
-  *place = static_cast<std::uint8_t>(inserted);
-  ++valence_[at(v)];
-}
-
-bool NetPatch::flip(int a, int b) {
-  if (!is_inside(a) || !is_inside(b) || is_rigid(a, b)) return false;
-  const int c = next_in_ring(a, b);
-  const int d = previous_in_ring(a, b);
-  if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d)) return false;
-  if (place_in_ring(c, d) >= 0) return false;
-  if (valence_[at(a)] <= 4 || valence_[at(b)] <= 4) return false;
-  if (valence_[at(c)] >= most_neighbors || valence_[at(d)] >= most_neighbors) return false;
-  remove_from_ring(a, b);
-  remove_from_ring(b, a);
-  insert_after(c, a, d);
-  insert_after(d, b, c);
-  changes_.push_back(
-      {PatchChange::Kind::flip, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
-  return true;
 }
 
 bool NetPatch::collapse(int removed, int kept) {
-  if (!is_inside(removed) || !is_inside(kept) || on_feature_[at(removed)]) return false;
-  const int c = next_in_ring(removed, kept);
-  const int d = previous_in_ring(removed, kept);
-  int common = 0;
-  for (int k = 0; k < valence_[at(removed)]; ++k) {
-    const int u = ring_[at(removed)][at(k)];
-    if (!is_inside(u)) return false;
-    if (place_in_ring(kept, u) >= 0) ++common;
-  }
-  if (common != 2 || valence_[at(c)] <= 4 || valence_[at(d)] <= 4) return false;
-  if (valence_[at(kept)] + valence_[at(removed)] - 4 > most_neighbors) return false;
-  for (const int u : {c, d, kept}) remove_from_ring(u, removed);
-  int last = c;
-  for (int u = next_in_ring(removed, c); u != d; u = next_in_ring(removed, u)) {
-    ring_[at(u)][at(place_in_ring(u, removed))] = static_cast<std::uint8_t>(kept);
-    insert_after(kept, last, u);
-    last = u;
-  }
-  valence_[at(removed)] = 0;
-  if (!on_feature_[at(kept)]) place_[at(kept)] = 0.5F * (place_[at(kept)] + place_[at(removed)]);
-  changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
-                      static_cast<std::uint8_t>(kept)});
+  if (!topology_.collapse(removed, kept)) return false;
+  if (topology_.is_on_feature(kept)) return true;
+  place_[at(kept)] = 0.5F * (place_[at(kept)] + place_[at(removed)]);
   return true;
 }
 
 bool NetPatch::split(int a, int b) {
-  if (!is_inside(a) || !is_inside(b) || is_rigid(a, b) || count_ == capacity) return false;
-  const int c = next_in_ring(a, b);
-  const int d = previous_in_ring(a, b);
-  if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d)) return false;
-  if (valence_[at(c)] >= most_neighbors || valence_[at(d)] >= most_neighbors) return false;
-  const int n = count_++;
-  vertex_[at(n)] = VertexHandle();
+  if (!topology_.split(a, b)) return false;
+  const int n = topology_.added();
   place_[at(n)] = 0.5F * (place_[at(a)] + place_[at(b)]);
   normal_[at(n)] = (normal_[at(a)] + normal_[at(b)]).normalized();
   const Eigen::Vector3d normal = normal_[at(n)].cast<double>().head<3>();
   first_[at(n)] = in_lanes(normal.unitOrthogonal());
   second_[at(n)] = normal_[at(n)].cross3(first_[at(n)]);
   mobility_[at(n)] = 2;
-  on_feature_[at(n)] = false;
-  open_[at(n)] = false;
-  goal_[at(n)] = 6;
-  valence_[at(n)] = 4;
-  ring_[at(n)] = {static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c),
-                  static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(d)};
-  ring_[at(a)][at(place_in_ring(a, b))] = static_cast<std::uint8_t>(n);
-  ring_[at(b)][at(place_in_ring(b, a))] = static_cast<std::uint8_t>(n);
-  insert_after(c, a, n);
-  insert_after(d, b, n);
-  changes_.push_back(
-      {PatchChange::Kind::split, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
   return true;
 }
 
 void NetPatch::mend_valences() {
-  while (true) {
-    int best_gain = 0;
-    double best_length = 0.0;
-    int best_a = -1;
-    int best_b = -1;
-    for (int a = 0; a < count_; ++a) {
-      if (!is_inside(a) || deviation(a) <= 0) continue;
-      for (int k = 0; k < valence_[at(a)]; ++k) {
-        const int b = ring_[at(a)][at(k)];
-        if (!is_inside(b) || is_rigid(a, b) || valence_[at(b)] <= 4) continue;
-        const int c = next_in_ring(a, b);
-        const int d = previous_in_ring(a, b);
-        if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d) || place_in_ring(c, d) >= 0) continue;
-        const int gain = 2 * (deviation(a) + deviation(b) - deviation(c) - deviation(d)) - 4;
-        if (gain <= 0 || gain < best_gain) continue;
-        const double length = (place_[at(c)] - place_[at(d)]).squaredNorm();
-        if (gain == best_gain && length >= best_length) continue;
-        best_gain = gain;
-        best_length = length;
-        best_a = a;
-        best_b = b;
-      }
-    }
-    if (best_gain == 0 || !flip(best_a, best_b)) return;
+  while (const auto edge = topology_.mending_flip([&](int c, int d) {
+    return static_cast<double>((place_[at(c)] - place_[at(d)]).squaredNorm());
+  })) {
+    if (!topology_.flip(edge->a, edge->b)) return;
   }
 }
 
@@ -269,9 +104,9 @@ NetPatch::Vector NetPatch::spring_step(int i, float rest) const {
   FourLanes stiffness_11 = FourLanes::Zero();
   FourLanes stiffness_12 = FourLanes::Zero();
   FourLanes stiffness_22 = FourLanes::Zero();
-  for (int first = 0; first < valence_[at(i)]; first += 4) {
+  for (int first = 0; first < topology_.valence(i); first += 4) {
     const Spokes d =
-        spokes_from(place_[at(i)], ring_[at(i)], valence_[at(i)], first, place_.data());
+        spokes_from(place_[at(i)], topology_.ring(i), topology_.valence(i), first, place_.data());
     const FourLanes inverse = d.counts / (d.squared_length() + 1e-12F * rest * rest).sqrt();
     const FourLanes slack = d.counts - rest * inverse;  // < 0: pressed
     const FourLanes along_1 = d.along(t1);
@@ -300,8 +135,8 @@ void NetPatch::relax(double length, int sweeps, int reach) {
   std::array<std::uint8_t, capacity> movers;
   int n_movers = 0;
   for (const int parity : {0, 1}) {
-    for (int i = parity; i < count_; i += 2) {
-      if (i >= reach && vertex_[at(i)].is_valid()) continue;
+    for (int i = parity; i < topology_.inner_count(); i += 2) {
+      if (i >= reach && topology_.vertex(i).is_valid()) continue;
       if (is_free(i)) movers[at(n_movers++)] = static_cast<std::uint8_t>(i);
     }
   }
@@ -320,15 +155,15 @@ void NetPatch::relax(double length, int sweeps, int reach) {
 double NetPatch::strain(double length) const {
   const auto inverse = static_cast<float>(1.0 / length);
   double sum = 0.0;
-  for (int i = 0; i < count_; ++i) {
-    for (int first = 0; first < valence_[at(i)]; first += 4) {
+  for (int i = 0; i < topology_.inner_count(); ++i) {
+    for (int first = 0; first < topology_.valence(i); first += 4) {
       const Spokes d =
-          spokes_from(place_[at(i)], ring_[at(i)], valence_[at(i)], first, place_.data());
+          spokes_from(place_[at(i)], topology_.ring(i), topology_.valence(i), first, place_.data());
       const FourLanes stretch = d.squared_length().sqrt() * inverse - 1.0F;
       // An edge between two vertices inside is met from both.
       FourLanes weights = d.counts;
       for (int k = 0; k < 4; ++k) {
-        if (is_inside(ring_[at(i)][at(first + k)])) weights[k] *= 0.5F;
+        if (topology_.is_inside(topology_.ring(i)[at(first + k)])) weights[k] *= 0.5F;
       }
       sum += (weights * stretch * stretch).sum();
     }
@@ -338,12 +173,12 @@ double NetPatch::strain(double length) const {
 
 int NetPatch::steep_corners() const {
   int steep = 0;
-  for (int i = 0; i < count_; ++i) {
-    if (!is_inside(i) || mobility_[at(i)] == 0) continue;
-    const int n = valence_[at(i)];
-    for (int k = 0; k < (open_[at(i)] ? n - 1 : n); ++k) {
-      const Vector b = place_[ring_[at(i)][at(k)]] - place_[at(i)];
-      const Vector c = place_[ring_[at(i)][at(k + 1 == n ? 0 : k + 1)]] - place_[at(i)];
+  for (int i = 0; i < topology_.inner_count(); ++i) {
+    if (!topology_.is_inside(i) || mobility_[at(i)] == 0) continue;
+    const int n = topology_.valence(i);
+    for (int k = 0; k < (topology_.is_open(i) ? n - 1 : n); ++k) {
+      const Vector b = place_[topology_.ring(i)[at(k)]] - place_[at(i)];
+      const Vector c = place_[topology_.ring(i)[at(k + 1 == n ? 0 : k + 1)]] - place_[at(i)];
       const Vector area = b.cross3(c);
       if (area.dot(normal_[at(i)]) <= 0.2F * std::max(b.squaredNorm(), c.squaredNorm())) ++steep;
     }

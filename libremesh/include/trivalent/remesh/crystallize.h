@@ -10,6 +10,20 @@ namespace trivalent::remesh {
 /// How long crystallize() searches.
 enum class Effort { quick, normal, thorough };
 
+/// How strongly crystallize() holds a net in space to the surface.
+enum class Follow {
+  close,   ///< strongly: more defects, small distances
+  carbon,  ///< as far as a shell of carbon moves at rest
+  free,    ///< weakly: few defects, low energy
+};
+
+/// Where crystallize() leaves the vertices.
+enum class NetRest {
+  on_surface,  ///< on the surface, faces half inside and half outside, edges as equal as they can
+               ///< be
+  in_space,    ///< where a membrane of graphene's stiffness is at rest, near the surface
+};
+
 /// Time that an effort takes, as a multiple of the normal one.
 ///
 /// @throws InvalidOption  if it is none of the three.
@@ -19,6 +33,8 @@ struct CrystalOptions {
   double target_edge_length = 0.0;  ///< m, in the mesh's unit, > 0; must be set by the caller
   Effort effort = Effort::normal;
   std::uint64_t seed = 0;  ///< of the random moves
+  Follow follow = Follow::carbon;
+  NetRest rest = NetRest::on_surface;
   /// Edges whose faces' normals differ by more than this [rad] are creases; none: no creases.
   std::optional<double> feature_angle = std::nullopt;
   /// Called now and then; the mesh returned does not depend on it.
@@ -28,23 +44,24 @@ struct CrystalOptions {
 };
 
 /// Remeshes a surface into a net of equal edges with few irregular vertices, placed where the
-/// curvature wants them: the ground state of a crystal of springs on the surface, searched for by
-/// simulated annealing [Kirkpatrick1983] of its defects.
+/// curvature wants them: the ground state of an elastic crystal, searched for by simulated
+/// annealing [Kirkpatrick1983] of its defects.
 ///
-/// 1. The surface is remeshed by remesh(), at twice the target length if it is large enough; parts
-///    too thin to be seen that coarsely are inflated for the while.
+/// 1. The surface is remeshed by remesh(), at a multiple of the target length if it is large
+///    enough; parts too thin to be seen that coarsely are inflated for the while.
 /// 2. Defects are annealed: a patch of the net around an irregular vertex is cut out; the flips
 ///    (glide), collapses and splits (climb) at that vertex are tried in it and relaxed, in random
-///    order, until one is accepted by the rule of [Metropolis1953]. The energy is that of springs,
-///    Σ (|e|/L - 1)², plus a core energy for each irregular vertex, since a shell relieves strain
-///    by buckling but cannot heal a pentagon. Patches that do not touch are tried in parallel. A
-///    net of twice the length is annealed up to four times (once if it is large, or quick), and the
-///    best one goes on: which one it freezes in is partly luck.
-/// 3. Every face is divided into four, which keeps the defects as few; parts too thin for the
-///    coarse net are mended: folds undone, tips reached, edges far from the target split or
-///    collapsed; and the net is annealed again, colder, at the target length; folds that are left
-///    are undone. If it still crosses itself, the other net of step 2 is tried, and at last one
-///    annealed at the target length from the start; the one with the fewest crossings is taken.
+///    order, until one is accepted by the rule of [Metropolis1953]. Patches that do not touch are
+///    tried in parallel.
+/// 3. Every face is divided into four, which keeps the defects as few, and the net is annealed
+///    again, colder, until the target length is reached.
+///
+/// In space, the energy is that of a membrane which stretches and bends like graphene, avoids
+/// itself and is tethered to the surface [Seung1988]: a membrane buckles at a pentagon and so needs
+/// no scars of dislocations, which a crystal on a rigid surface does. Nets on the surface have
+/// springs for edges. So have those of surfaces with open boundaries or creases, or with parts too
+/// thin for a net of twice the length; and where the membrane crosses itself or leaves a part out,
+/// both are made and the better one is taken.
 ///
 /// Genus, orientation, boundaries and creases of the input are kept, as by remesh(). The result
 /// depends on the seed, not on the number of threads.

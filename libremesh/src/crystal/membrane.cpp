@@ -1,0 +1,105 @@
+#include "crystal/membrane.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace trivalent::remesh {
+
+double Membrane::hinge_stiffness() const {
+  const double dihedral = 2.0 * bending / std::numbers::sqrt3;
+  const double height = 0.5 * std::numbers::sqrt3 * length;
+  return dihedral / (height * height);
+}
+
+double Membrane::core_energy(int deviation) const {
+  constexpr double crowded = 6.0;  // [eV] for each step beyond 5 and 7
+  if (deviation == 0) return 0.0;
+  const int steps = std::abs(deviation);
+  const double core = deviation < 0 ? pentagon : heptagon;
+  return steps * core + crowded * (steps - 1);
+}
+
+double Membrane::count_energy(int excess) const { return count * excess * excess; }
+
+namespace {
+
+template <typename Scalar>
+struct Evaluation {
+  const std::vector<Lanes<Scalar>>& x;
+  std::vector<Lanes<Scalar>>& gradient;
+
+  [[nodiscard]] const Lanes<Scalar>& position(int i) const {
+    return x[static_cast<std::size_t>(i)];
+  }
+  [[nodiscard]] Lanes<Scalar>& slope(int i) const { return gradient[static_cast<std::size_t>(i)]; }
+
+  /// ½ k (r - rest)² of the distance r between two vertices.
+  [[gnu::always_inline]] Scalar spring(int a, int b, Scalar k, Scalar rest) const {
+    const Lanes<Scalar> edge = position(b) - position(a);
+    const Scalar r = std::sqrt(edge.squaredNorm());
+    const Scalar stretch = r - rest;
+    const Lanes<Scalar> force = (k * stretch / (r + Scalar(1e-12))) * edge;
+    slope(a) -= force;
+    slope(b) += force;
+    return Scalar(0.5) * k * stretch * stretch;
+  }
+
+  /// ½ k |c + d - a - b|².
+  [[gnu::always_inline]] Scalar bend(const Hinge& h, Scalar k) const {
+    const Lanes<Scalar> q = (position(h.c) + position(h.d)) - (position(h.a) + position(h.b));
+    const Lanes<Scalar> force = k * q;
+    slope(h.a) -= force;
+    slope(h.b) -= force;
+    slope(h.c) += force;
+    slope(h.d) += force;
+    return Scalar(0.5) * k * q.squaredNorm();
+  }
+
+  Scalar avoid(int a, int b, Scalar k, Scalar nearest) const {
+    if ((position(b) - position(a)).squaredNorm() >= nearest * nearest) return Scalar(0);
+    return spring(a, b, k, nearest);
+  }
+
+  Scalar hold(const Tether<Scalar>& t) const {
+    const Scalar height = (position(t.i) - t.foot).dot(t.normal);
+    slope(t.i) += (t.stiffness * height) * t.normal;
+    return Scalar(0.5) * t.stiffness * height * height;
+  }
+
+  Scalar pull(const Pull<Scalar>& p, Scalar reach) const {
+    const Lanes<Scalar> away = position(p.i) - p.point;
+    const Scalar r = std::sqrt(away.squaredNorm());
+    if (r <= reach) return Scalar(0);
+    const Scalar excess = r - reach;
+    slope(p.i) += (p.stiffness * excess / r) * away;
+    return Scalar(0.5) * p.stiffness * excess * excess;
+  }
+};
+
+}  // namespace
+
+template <typename Scalar>
+Scalar membrane_energy(const Membrane& membrane, const MembraneTerms<Scalar>& terms,
+                       const std::vector<Lanes<Scalar>>& x, std::vector<Lanes<Scalar>>& gradient) {
+  const Evaluation<Scalar> at{x, gradient};
+  const auto k = static_cast<Scalar>(membrane.stretching);
+  const auto rest = static_cast<Scalar>(membrane.length);
+  const auto hinge = static_cast<Scalar>(membrane.hinge_stiffness());
+  const auto repulsion = static_cast<Scalar>(membrane.repulsion);
+  const auto nearest = static_cast<Scalar>(membrane.contact_distance());
+  const auto reach = static_cast<Scalar>(membrane.cover_distance());
+  Scalar energy = 0;
+  for (const Hinge& h : terms.hinges) energy += at.spring(h.a, h.b, k, rest) + at.bend(h, hinge);
+  for (const auto& [a, b] : terms.edges) energy += at.spring(a, b, k, rest);
+  for (const auto& [a, b] : terms.contacts) energy += at.avoid(a, b, repulsion, nearest);
+  for (const Tether<Scalar>& t : terms.tethers) energy += at.hold(t);
+  for (const Pull<Scalar>& p : terms.pulls) energy += at.pull(p, reach);
+  return energy;
+}
+
+template float membrane_energy(const Membrane&, const MembraneTerms<float>&,
+                               const std::vector<Lanes<float>>&, std::vector<Lanes<float>>&);
+template double membrane_energy(const Membrane&, const MembraneTerms<double>&,
+                                const std::vector<Lanes<double>>&, std::vector<Lanes<double>>&);
+
+}  // namespace trivalent::remesh

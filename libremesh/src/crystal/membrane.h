@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace trivalent::remesh {
+
+/// A triangulated membrane with the stiffnesses of graphene [Seung1988], in Å and eV:
+///
+/// E = ½ k Σ (|e| - L)²                      stretching, over edges
+///   + ½ (κ_d/h²) Σ |c + d - a - b|²         bending, over edges a-b with opposite corners c, d
+///   + ½ k_r Σ (r0 - r)²                     self-avoidance, over pairs nearer than r0 that are no
+///                                           edge [Kantor1986]
+///   + ½ k_t (L/m)² Σ ((x - p)·n)²           tether to the surface: foot p, normal n
+///   + ½ k_s (L/m)² Σ w (|x - s| - d0)²      tether of the surface: samples s farther than d0 from
+///                                           their vertex, each for w vertices' area
+///   + Σ core(valence) + λ (N - N0)²         N vertices
+///
+/// k, κ and k_t are the same for every L: those of the continuum. The last two terms are not
+/// functions of positions.
+struct Membrane {
+  static constexpr double fine_length = 2.46;  ///< m [Å]
+  static constexpr double bending = 1.4;       ///< κ [eV]
+
+  double length = fine_length;  ///< L [Å]
+  double stretching = 13.0;     ///< k [eV/Å²]: (√3/2)·15 eV/Å², Young's modulus of graphene
+  double tether = 0.0;          ///< k_t [eV/Å²]
+  double cover = 0.0;           ///< k_s [eV/Å²]
+  double slack = 4.0;           ///< [Å] that the net may be away from the surface freely
+  double repulsion = 13.0;      ///< k_r [eV/Å²]
+  double pentagon = 1.0;        ///< core energy [eV]
+  double heptagon = -2.1;       ///< core energy [eV]
+  double count = 0.0;           ///< λ [eV]
+
+  [[nodiscard]] double coarseness() const { return length / fine_length; }
+  /// κ_d/h² [eV/Å²] with κ_d = 2κ/√3 and h = √3 L/2.
+  [[nodiscard]] double hinge_stiffness() const;
+  /// r0 [Å]: below it no vertex passes through a triangle.
+  [[nodiscard]] double contact_distance() const { return length; }
+  /// d0 [Å]: in a flat net no point is farther than L/√3 from a vertex.
+  [[nodiscard]] double cover_distance() const { return 0.58 * length + slack; }
+  /// [eV] of a vertex with valence - 6 = deviation. Beyond one, each step costs as much as no pair.
+  [[nodiscard]] double core_energy(int deviation) const;
+  /// λ (N - N0)² [eV] for N - N0 vertices too many.
+  [[nodiscard]] double count_energy(int excess) const;
+};
+
+/// A vector and 0: a processor's register in single precision.
+template <typename Scalar>
+using Lanes = Eigen::Matrix<Scalar, 4, 1>;
+
+/// An edge a-b and the corners opposite to it.
+struct Hinge {
+  int a, b, c, d;
+};
+
+/// Holds vertex i to a plane.
+template <typename Scalar>
+struct Tether {
+  int i;
+  Scalar stiffness;  ///< [eV/Å²]
+  Lanes<Scalar> foot;
+  Lanes<Scalar> normal;
+};
+
+/// Pulls vertex i towards a point of the surface once it is too far.
+template <typename Scalar>
+struct Pull {
+  int i;
+  Scalar stiffness;  ///< [eV/Å²]
+  Lanes<Scalar> point;
+};
+
+/// The terms of the energy that depend on positions, by vertex number.
+template <typename Scalar>
+struct MembraneTerms {
+  std::vector<Hinge> hinges = {};
+  std::vector<std::array<int, 2>> edges = {};     ///< that have no hinge: on boundaries and creases
+  std::vector<std::array<int, 2>> contacts = {};  ///< pairs that may come too near
+  std::vector<Tether<Scalar>> tethers = {};
+  std::vector<Pull<Scalar>> pulls = {};
+};
+
+/// Energy of the terms [eV]; adds its gradient [eV/Å].
+///
+/// @param x         Positions [Å].
+/// @param gradient  As long as x.
+template <typename Scalar>
+[[nodiscard]] Scalar membrane_energy(const Membrane& membrane, const MembraneTerms<Scalar>& terms,
+                                     const std::vector<Lanes<Scalar>>& x,
+                                     std::vector<Lanes<Scalar>>& gradient);
+
+}  // namespace trivalent::remesh

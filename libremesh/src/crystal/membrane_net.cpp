@@ -1,0 +1,259 @@
+#include "crystal/membrane_net.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// Points spread over a surface evenly, each for the same area.
+std::vector<MembraneNet::Sample> samples_of(const TriMesh& surface, const SurfaceProjector& on,
+                                            double area_each, double weight) {
+  // Fractions of multiples of these fill a triangle evenly [Roberts2018].
+  constexpr double first_step = 0.7548776662466927;
+  constexpr double second_step = 0.5698402909980532;
+  std::vector<MembraneNet::Sample> samples;
+  double waiting = 0.5;
+  for (const auto f : surface.faces()) {
+    std::array<Eigen::Vector3d, 3> corner;
+    std::size_t k = 0;
+    for (const auto v : f.vertices()) corner[k++] = surface.point(v);
+    for (waiting += surface.calc_face_area(f) / area_each; waiting >= 1.0; waiting -= 1.0) {
+      const auto n = static_cast<double>(samples.size());
+      double s = n * first_step - std::floor(n * first_step);
+      double t = n * second_step - std::floor(n * second_step);
+      if (s + t > 1.0) {
+        s = 1.0 - s;
+        t = 1.0 - t;
+      }
+      const Eigen::Vector3d p =
+          corner[0] + s * (corner[1] - corner[0]) + t * (corner[2] - corner[0]);
+      samples.push_back({p, on.normal({p, f.idx()}), weight});
+    }
+  }
+  return samples;
+}
+
+Lanes<double> in_lanes(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
+
+constexpr double samples_per_vertex = 2.0;
+
+}  // namespace
+
+MembranePreconditioner::MembranePreconditioner(const Membrane& membrane) {
+  // Six edges of stiffness k, whose directions average to k/2 each way; a vertex is in six hinges
+  // as an end and in six as a corner.
+  along = 1.0 / (3.0 * membrane.stretching);
+  across = 1.0 / (12.0 * membrane.hinge_stiffness());
+}
+
+MembraneNet::MembraneNet(ConstrainedMesh& constrained, const TriMesh& surface,
+                         const Membrane& membrane)
+    : constrained_(constrained), membrane_(membrane) {
+  const double vertex_area = 0.5 * std::sqrt(3.0) * membrane.length * membrane.length;
+  samples_ = samples_of(surface, constrained.surface(), vertex_area / samples_per_vertex,
+                        1.0 / samples_per_vertex);
+  renew();
+}
+
+VertexHold MembraneNet::hold_at(const Eigen::Vector3d& position, Anchor& anchor) const {
+  VertexHold hold;
+  if (anchor.kind == FeatureKind::corner) {
+    hold.foot = position;
+    hold.normals = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    hold.count = 3;
+    return hold;
+  }
+  hold.foot = constrained_.project(position, anchor);
+  hold.normals[0] = constrained_.surface().normal({hold.foot, anchor.face});
+  hold.count = 1;
+  if (anchor.kind == FeatureKind::curve) {
+    const Eigen::Vector3d tangent = constrained_.curves().tangent(anchor.on_curve);
+    hold.normals[0] = tangent.unitOrthogonal();
+    hold.normals[1] = tangent.cross(hold.normals[0]);
+    hold.count = 2;
+  }
+  return hold;
+}
+
+void MembraneNet::set_hold(VertexHandle v, const VertexHold& hold) {
+  if (holds_.size() <= index(v)) holds_.resize(index(v) + 1);
+  holds_[index(v)] = hold;
+}
+
+void MembraneNet::renew() {
+  TriMesh& mesh = constrained_.mesh;
+  mesh.garbage_collection();
+  holds_.resize(mesh.n_vertices());
+  tbb::parallel_for(std::size_t{0}, holds_.size(), [&](std::size_t i) {
+    const VertexHandle v(static_cast<int>(i));
+    Anchor anchor = constrained_.anchor(v);
+    holds_[i] = hold_at(mesh.point(v), anchor);
+    constrained_.set_anchor(v, anchor);
+  });
+  find_pulls();
+}
+
+std::vector<int> MembraneNet::live_vertices() const {
+  std::vector<int> live;
+  live.reserve(constrained_.mesh.n_vertices());
+  for (const auto v : constrained_.mesh.vertices()) live.push_back(v.idx());
+  return live;
+}
+
+std::optional<VertexHandle> MembraneNet::owner_of(const Sample& sample,
+                                                  const PointGrid& grid) const {
+  // A tip that has drawn back farther than the last radius is given up.
+  for (const double radius : {1.0, 2.0, 5.0}) {
+    VertexHandle nearest;
+    double least = std::numeric_limits<double>::infinity();
+    grid.visit(sample.position, radius * membrane_.length, [&](int i, double squared) {
+      const VertexHandle v(i);
+      const VertexHold& held = holds_[index(v)];
+      if (squared >= least) return;
+      if (held.count == 1 && held.normals[0].dot(sample.normal) <= 0.0) return;  // another sheet
+      least = squared;
+      nearest = v;
+    });
+    if (nearest.is_valid()) {
+      const double reach = membrane_.cover_distance();
+      return least > reach * reach ? std::optional(nearest) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+void MembraneNet::find_pulls() {
+  const TriMesh& mesh = constrained_.mesh;
+  pull_begin_.assign(mesh.n_vertices() + 1, 0);
+  pulled_.clear();
+  if (membrane_.cover == 0.0) return;
+  const std::vector<int> live = live_vertices();
+  const PointGrid grid(std::span(mesh.points(), mesh.n_vertices()), live, membrane_.length);
+  std::vector<std::optional<VertexHandle>> owners(samples_.size());
+  tbb::parallel_for(std::size_t{0}, samples_.size(),
+                    [&](std::size_t i) { owners[i] = owner_of(samples_[i], grid); });
+  for (const auto& owner : owners) {
+    if (owner) ++pull_begin_[index(*owner) + 1];
+  }
+  for (std::size_t i = 1; i < pull_begin_.size(); ++i) pull_begin_[i] += pull_begin_[i - 1];
+  pulled_.resize(static_cast<std::size_t>(pull_begin_.back()));
+  std::vector<int> next(pull_begin_.begin(), pull_begin_.end() - 1);
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    if (!owners[i]) continue;
+    pulled_[static_cast<std::size_t>(next[index(*owners[i])]++)] = static_cast<int>(i);
+  }
+}
+
+std::span<const int> MembraneNet::pulls(VertexHandle v) const {
+  if (index(v) + 1 >= pull_begin_.size()) return {};
+  const auto begin = static_cast<std::size_t>(pull_begin_[index(v)]);
+  const auto end = static_cast<std::size_t>(pull_begin_[index(v) + 1]);
+  return std::span(pulled_).subspan(begin, end - begin);
+}
+
+MembraneTerms<double> MembraneNet::terms() const {
+  const TriMesh& mesh = constrained_.mesh;
+  MembraneTerms<double> terms;
+  const double per_area = membrane_.coarseness() * membrane_.coarseness();
+  for (const auto e : mesh.edges()) {
+    const auto h = e.h0();
+    const int a = h.from().idx();
+    const int b = h.to().idx();
+    if (e.is_boundary() || constrained_.curve_of(e)) {
+      terms.edges.push_back({a, b});
+    } else {
+      terms.hinges.push_back({a, b, h.next().to().idx(), h.opp().next().to().idx()});
+    }
+  }
+  for (const auto v : mesh.vertices()) {
+    const VertexHold& held = holds_[index(v)];
+    const double stiffness = held.count > 1 ? membrane_.stretching : membrane_.tether * per_area;
+    for (int k = 0; k < held.count && stiffness > 0.0; ++k) {
+      terms.tethers.push_back({v.idx(), stiffness, in_lanes(held.foot),
+                               in_lanes(held.normals[static_cast<std::size_t>(k)])});
+    }
+    for (const int i : pulls(v)) {
+      const Sample& s = sample(i);
+      terms.pulls.push_back({v.idx(), membrane_.cover * per_area * s.weight, in_lanes(s.position)});
+    }
+  }
+  add_contacts(terms);
+  return terms;
+}
+
+void MembraneNet::add_contacts(MembraneTerms<double>& terms) const {
+  const TriMesh& mesh = constrained_.mesh;
+  const std::vector<int> live = live_vertices();
+  const double reach = contact_skin * membrane_.contact_distance();
+  const PointGrid grid(std::span(mesh.points(), mesh.n_vertices()), live, reach);
+  std::vector<std::vector<int>> partners(mesh.n_vertices());
+  tbb::parallel_for(std::size_t{0}, live.size(), [&](std::size_t k) {
+    const VertexHandle v(live[k]);
+    grid.visit(mesh.point(v), reach, [&](int other, double) {
+      if (other <= v.idx() || mesh.find_halfedge(v, VertexHandle(other)).is_valid()) return;
+      partners[index(v)].push_back(other);
+    });
+  });
+  for (const int i : live) {
+    for (const int j : partners[static_cast<std::size_t>(i)]) terms.contacts.push_back({i, j});
+  }
+}
+
+void MembraneNet::relax(int steps) {
+  TriMesh& mesh = constrained_.mesh;
+  const MembraneTerms<double> all = terms();
+  const std::size_t n = mesh.n_vertices();
+  const MembranePreconditioner inverse(membrane_);
+  std::vector<Lanes<double>> positions(n);
+  std::vector<Lanes<double>> slopes(n);
+  Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    x.segment<4>(4 * static_cast<Eigen::Index>(i)) =
+        in_lanes(mesh.point(VertexHandle(static_cast<int>(i))));
+  }
+  const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
+    std::copy_n(at.data(), at.size(), positions[0].data());
+    std::ranges::fill(slopes, Lanes<double>::Zero());
+    const double energy = membrane_energy(membrane_, all, positions, slopes);
+    std::copy_n(slopes[0].data(), at.size(), gradient.data());
+    return energy;
+  };
+  const auto precondition = [&](Lbfgs<double>::Vector& v) {
+    for (std::size_t i = 0; i < n; ++i) {
+      auto part = v.segment<4>(4 * static_cast<Eigen::Index>(i));
+      const Lanes<double> normal = in_lanes(holds_[i].normals[0]);
+      part = inverse.along * part + (inverse.across - inverse.along) * part.dot(normal) * normal;
+    }
+  };
+  const double tolerance = 1e-6 * static_cast<double>(n);
+  minimizer_.minimize(
+      x, {.max_steps = steps, .max_move = 0.3 * membrane_.length, .tolerance = tolerance}, evaluate,
+      precondition, [](double, double) { return false; });
+  for (std::size_t i = 0; i < n; ++i) {
+    mesh.point(VertexHandle(static_cast<int>(i))) = x.segment<3>(4 * static_cast<Eigen::Index>(i));
+  }
+}
+
+double MembraneNet::elastic_energy() {
+  const TriMesh& mesh = constrained_.mesh;
+  std::vector<Lanes<double>> positions(mesh.n_vertices());
+  std::vector<Lanes<double>> slopes(mesh.n_vertices(), Lanes<double>::Zero());
+  for (const auto v : mesh.vertices()) positions[index(v)] = in_lanes(mesh.point(v));
+  return membrane_energy(membrane_, terms(), positions, slopes);
+}
+
+double MembraneNet::core_energy() const {
+  double sum = 0.0;
+  for (const auto v : constrained_.mesh.vertices()) {
+    sum += membrane_.core_energy(static_cast<int>(v.valence()) - (v.is_boundary() ? 4 : 6));
+  }
+  return sum;
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,223 @@
+#include "crystal/membrane_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "crystal/inflation.h"
+#include "crystal/membrane_annealing.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// One annealing, at one edge length.
+struct Level {
+  int coarseness;  ///< edge length / target length
+  /// [eV] of cores: at the target length fitted to REBO; a disclination gains about (π/3) κ ln 2 ≈
+  /// 1 of bending energy on each division.
+  double pentagon;
+  double heptagon;
+};
+constexpr std::array<Level, 3> levels = {{{4, 2.8, -0.3}, {2, 1.9, -1.2}, {1, 1.0, -2.1}}};
+
+/// Temperatures [eV] and rounds of an annealing.
+struct Schedule {
+  double hot;
+  double cold;
+  int rounds;
+};
+/// The first net orders as a whole: hot and slow.
+constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 1600};
+/// After a division defects only find their places.
+constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
+constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
+
+/// A net must have room for patches, or its defects see the whole of it.
+constexpr int min_vertices_at_4 = 1200;
+/// Parts thinner than this [edges] are inflated for the first net.
+constexpr double min_thickness = 1.5;
+/// [edges] that a vertex may be from its foot before another sheet is looked for.
+constexpr double sheet_reach = 1.5;
+
+constexpr int opening_steps = 100;
+constexpr int closing_steps = 400;
+constexpr int hasty_steps = 30;  // once the user wants to stop
+
+/// How strongly net and surface hold each other [eV/Å²], and how far apart they may be freely [Å].
+struct Bond {
+  double tether;
+  double cover;
+  double slack;
+};
+
+Bond bond_of(Follow follow) {
+  switch (follow) {
+    case Follow::close:
+      return {.tether = 0.02, .cover = 0.1, .slack = 2.0};
+    case Follow::carbon:
+      return {.tether = 0.006, .cover = 0.05, .slack = 4.0};
+    case Follow::free:
+      return {.tether = 0.002, .cover = 0.02, .slack = 6.0};
+  }
+  throw InvalidOption("crystallize: unknown strength of following");
+}
+
+class MembraneSearch {
+ public:
+  MembraneSearch(const SearchSurface& surface, const CrystalOptions& options, SearchWatch& watch)
+      : scale_(Membrane::fine_length / options.target_edge_length),
+        surface_(scaled(surface.mesh, scale_)),
+        creases_(surface.creases),
+        options_(options),
+        watch_(watch),
+        area_(surface_area(surface_)),
+        net_(surface_, creases_) {}
+
+  std::optional<FoundNet> run() {
+    const std::optional<std::size_t> first = start();
+    if (!first) return std::nullopt;
+    watch_.expect(rounds_of(ordering) +
+                  static_cast<int>(levels.size() - 1 - *first) * rounds_of(settling));
+    for (std::size_t level = *first; level < levels.size(); ++level) {
+      if (level > *first) divide();
+      anneal_level(levels[level], level == *first ? ordering : settling);
+    }
+    finish();
+    scale(net_.mesh, 1.0 / scale_);
+    return FoundNet{std::move(net_.mesh), *first + 1 < levels.size()};
+  }
+
+ private:
+  static TriMesh scaled(TriMesh mesh, double factor) {
+    scale(mesh, factor);
+    return mesh;
+  }
+
+  /// Puts the first net on the surface.
+  ///
+  /// @return Its level.
+  std::optional<std::size_t> start() {
+    const double vertex_area = 0.5 * std::sqrt(3.0) * Membrane::fine_length * Membrane::fine_length;
+    const double vertices = area_ / vertex_area;
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+      const int coarseness = levels[level].coarseness;
+      if (coarseness == 4 && vertices < 16.0 * min_vertices_at_4) continue;
+      const double length = coarseness * Membrane::fine_length;
+      const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
+      const std::unique_ptr<Net> net =
+          coarse_starting_net(inflated_surface.value_or(surface_), creases_, area_,
+                              {.length = length, .effort = options_.effort});
+      if (!net) continue;
+      net_.on_surface.restore(net->on_surface.state());
+      return level;
+    }
+    // Small nets need no coarse one; thin ones would cross themselves.
+    constexpr double max_vertices_of_small = 1500.0;
+    if (vertices > max_vertices_of_small) return std::nullopt;
+    const std::unique_ptr<Net> net = starting_net(
+        surface_, creases_, {.length = Membrane::fine_length, .effort = options_.effort});
+    net_.on_surface.restore(net->on_surface.state());
+    return levels.size() - 1;
+  }
+
+  [[nodiscard]] Membrane membrane_at(const Level& level) const {
+    const Bond bond = bond_of(options_.follow);
+    Membrane membrane;
+    membrane.length = level.coarseness * Membrane::fine_length;
+    membrane.tether = bond.tether;
+    membrane.cover = bond.cover;
+    membrane.slack = bond.slack;
+    membrane.pentagon = level.pentagon;
+    membrane.heptagon = level.heptagon;
+    membrane.count = 0.3;  // 0.02 lets small nets lose a fifth of their vertices
+    return membrane;
+  }
+
+  /// Vertices of a net that comes to the faces of the target length by divisions.
+  [[nodiscard]] int wanted_vertices(const Level& level) const {
+    const double face_area = 0.25 * std::sqrt(3.0) * Membrane::fine_length * Membrane::fine_length;
+    const double faces = area_ / face_area / (level.coarseness * level.coarseness);
+    // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
+    const auto boundary =
+        std::ranges::count_if(net_.mesh.edges(), [](const auto e) { return e.is_boundary(); });
+    const int euler = static_cast<int>(net_.mesh.n_vertices()) -
+                      static_cast<int>(net_.mesh.n_edges()) + static_cast<int>(net_.mesh.n_faces());
+    return euler + static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
+  }
+
+  void anneal_level(const Level& level, const Schedule& schedule) {
+    const Membrane membrane = membrane_at(level);
+    net_.on_surface.stay_on_sheets(sheet_reach * membrane.length);
+    MembraneNet net(net_.on_surface, surface_, membrane);
+    if (watch_.stopped()) return net.relax(hasty_steps);
+    net.relax(opening_steps);
+    net.renew();
+    net.relax(opening_steps);
+    const bool is_last = level.coarseness == 1;
+    MembraneAnnealingOptions options;
+    options.first_temperature = schedule.hot;
+    options.last_temperature = is_last ? 0.0 : schedule.cold;
+    options.rounds = rounds_of(schedule);
+    options.wanted_vertices = wanted_vertices(level);
+    options.seed = options_.seed * levels.size() + static_cast<std::uint64_t>(level.coarseness);
+    options.after_round = [&](int) {
+      return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);
+    };
+    anneal_membrane(net, options);
+    if (!is_last) return;
+    options.first_temperature = 0.0;
+    options.rounds = tidying_rounds;
+    options.least_deviation = 2;
+    options.after_round = {};
+    anneal_membrane(net, options);
+  }
+
+  [[nodiscard]] int rounds_of(const Schedule& schedule) const {
+    // Defects need some rounds to find their places, however short the search.
+    const double factor = effort_factor(options_.effort);
+    return std::max(static_cast<int>(std::lround(schedule.rounds * factor)),
+                    std::min(schedule.rounds, 60));
+  }
+
+  /// Divides every face into four, in space.
+  void divide() {
+    TriMesh& mesh = net_.mesh;
+    std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
+    for (const auto e : mesh.edges()) {
+      positions.emplace_back(0.5 * (mesh.point(e.v0()) + mesh.point(e.v1())));
+    }
+    net_.on_surface.subdivide();
+    for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
+  }
+
+  void finish() {
+    Membrane membrane = membrane_at(levels.back());
+    if (options_.follow != Follow::close) membrane.tether = membrane.cover = 0.0;
+    MembraneNet net(net_.on_surface, surface_, membrane);
+    if (watch_.stopped()) return net.relax(hasty_steps);
+    net.relax(closing_steps);
+    net.renew();
+    net.relax(closing_steps);
+  }
+
+  double scale_;  ///< from the mesh's unit to Å
+  TriMesh surface_;
+  const Creases& creases_;
+  const CrystalOptions& options_;
+  SearchWatch& watch_;
+  double area_;
+  Net net_;
+};
+
+}  // namespace
+
+std::optional<FoundNet> search_membrane(const SearchSurface& surface, const CrystalOptions& options,
+                                        SearchWatch& watch) {
+  return MembraneSearch(surface, options, watch).run();
+}
+
+}  // namespace trivalent::remesh

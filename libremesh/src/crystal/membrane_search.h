@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "crystal/spring_search.h"
+
+namespace trivalent::remesh {
+
+/// The ground state of a membrane near a surface, searched for by annealing: at four times the
+/// target length if the surface is thick and large enough, or at twice; then divided and annealed
+/// colder at half the length each time. Its vertices are where the membrane is at rest.
+///
+/// @return  Nothing where the surface is too thin for a net of twice the target length.
+[[nodiscard]] std::optional<FoundNet> search_membrane(const SearchSurface& surface,
+                                                      const CrystalOptions& options,
+                                                      SearchWatch& watch);
+
+}  // namespace trivalent::remesh

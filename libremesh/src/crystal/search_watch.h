@@ -1,0 +1,31 @@
+#pragma once
+
+#include "trivalent/remesh/crystallize.h"
+
+namespace trivalent::remesh {
+
+/// Counts the rounds of a search, reports progress and asks whether to stop.
+class SearchWatch {
+ public:
+  explicit SearchWatch(const CrystalOptions& options) : options_(options) {}
+
+  /// Announces rounds to come.
+  void expect(int rounds) { rounds_ += rounds; }
+  /// To be called after every round.
+  ///
+  /// @param scale   From the mesh's unit to the user's.
+  /// @param length  Of an edge without strain, in the mesh's unit.
+  /// @return        Whether the search goes on.
+  bool goes_on(const TriMesh& mesh, double length, double scale = 1.0);
+
+  [[nodiscard]] bool stopped() const { return stopped_; }
+  [[nodiscard]] int rounds_done() const { return rounds_done_; }
+
+ private:
+  const CrystalOptions& options_;
+  int rounds_ = 0;
+  int rounds_done_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace trivalent::remesh

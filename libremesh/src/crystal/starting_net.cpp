@@ -1,0 +1,89 @@
+#include "crystal/starting_net.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "crystal/spring_relaxation.h"
+#include "crystal/thin_parts.h"
+#include "equalize/paper_loop.h"
+#include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// Iterations of the paper's loop that make the net to start from.
+constexpr int first_iterations = 20;
+constexpr int quick_first_iterations = 14;  // after 8, folds of some coarse nets are left
+constexpr int opening_sweeps = 60;          // of the springs
+
+/// A vertex may walk this part of the length on its sheet.
+constexpr double sheet_reach = 0.1;
+
+/// A coarse net must have room for patches, or there is nothing to gain.
+constexpr int min_coarse_vertices = 150;
+
+RemeshOptions paper_options(const StartingNetOptions& options) {
+  return {
+      .target_edge_length = options.length,
+      .iterations = options.effort == Effort::quick ? quick_first_iterations : first_iterations};
+}
+
+/// Whether the net of this edge length sees the shape, but for a few thin parts that can be mended
+/// after the division: all but a few faces look about where the surface does at their corners and
+/// cross none, and no part of the surface is left out.
+bool is_sound(const Net& net, const TriMesh& surface, double length) {
+  constexpr double min_cosine = 0.25;
+  constexpr double farthest_covered = 1.6;  // edges: tips may be cut off, but no fingers
+  int astray = count_crossings(net.mesh);
+  for (const auto f : net.mesh.faces()) {
+    const Eigen::Vector3d normal = net.mesh.calc_normal(f);
+    Eigen::Vector3d there = Eigen::Vector3d::Zero();
+    for (const auto v : f.vertices()) there += net.on_surface.normal(v);
+    if (normal.dot(there) < min_cosine * there.norm()) ++astray;
+  }
+  if (astray > max_flawed_fraction * static_cast<double>(net.mesh.n_faces())) return false;
+  return std::ranges::max(distances_from(surface, net.mesh)) < farthest_covered * length;
+}
+
+bool can_hold(const TriMesh& surface, const RemeshOptions& options) {
+  try {
+    check_remeshable(surface, options);
+  } catch (const InvalidOption&) {
+    return false;  // a part of the surface cannot hold so long an edge
+  }
+  return true;
+}
+
+}  // namespace
+
+int count_crossings(const TriMesh& mesh) { return measure_quality(mesh).self_intersections; }
+
+std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
+  const std::vector<Eigen::Vector3d> points(surface.points(),
+                                            surface.points() + surface.n_vertices());
+  return distances_to_surface(points, net);
+}
+
+std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases,
+                                  const StartingNetOptions& options) {
+  auto net = std::make_unique<Net>(surface, creases);
+  remesh_in_place(net->on_surface, paper_options(options), [](const RemeshProgress&) {});
+  net->on_surface.stay_on_sheets(sheet_reach * options.length);
+  return net;
+}
+
+std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& creases,
+                                         double area, const StartingNetOptions& options) {
+  const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
+  const double length = options.length;
+  if (area < min_coarse_vertices * unit_area * length * length) return nullptr;
+  if (!can_hold(surface, paper_options(options))) return nullptr;
+  std::unique_ptr<Net> net = starting_net(surface, creases, options);
+  unfold(net->on_surface);
+  relax_springs(net->on_surface, length, opening_sweeps);
+  return is_sound(*net, surface, length) ? std::move(net) : nullptr;
+}
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "equalize/constrained_mesh.h"
+#include "trivalent/remesh/crystallize.h"
+
+namespace trivalent::remesh {
+
+/// A net that is to be annealed, and the surface it lies on.
+struct Net {
+  TriMesh mesh;
+  ConstrainedMesh on_surface;
+
+  Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
+};
+
+/// How nets to start from are made.
+struct StartingNetOptions {
+  double length = 0.0;  ///< of their edges
+  Effort effort = Effort::normal;
+};
+
+/// The surface remeshed by the paper's loop. Its vertices stay on their sheets.
+[[nodiscard]] std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases,
+                                                const StartingNetOptions& options);
+
+/// The same at a length several times the final one.
+///
+/// @param area  Of the surface before its thin parts were inflated.
+/// @return      Null if the surface is too small, or too thin in parts, for such a net.
+[[nodiscard]] std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface,
+                                                       const Creases& creases, double area,
+                                                       const StartingNetOptions& options);
+
+/// Number of pairs of faces that cross.
+[[nodiscard]] int count_crossings(const TriMesh& mesh);
+
+/// Distance of every vertex of a surface to a net.
+[[nodiscard]] std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net);
+
+/// At most this part of the faces of a net may be flawed.
+inline constexpr double max_flawed_fraction = 0.003;
+
+}  // namespace trivalent::remesh

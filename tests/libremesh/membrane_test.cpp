@@ -1,0 +1,105 @@
+#include "crystal/membrane.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace trivalent::remesh {
+namespace {
+
+using Positions = std::vector<Lanes<double>>;
+
+/// Points near each other, so that all terms act.
+Positions scattered(int count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+  Positions positions;
+  for (int i = 0; i < count; ++i) {
+    positions.emplace_back(coordinate(random), coordinate(random), coordinate(random), 0.0);
+  }
+  return positions;
+}
+
+void expect_gradient_of_energy(const MembraneTerms<double>& terms) {
+  const Membrane membrane;
+  const Positions x = scattered(6);
+  Positions gradient(x.size(), Lanes<double>::Zero());
+  const double energy = membrane_energy(membrane, terms, x, gradient);
+  EXPECT_GT(energy, 0.0);
+  constexpr double step = 1e-5;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      Positions ignored(x.size(), Lanes<double>::Zero());
+      Positions moved = x;
+      moved[i][k] += step;
+      const double above = membrane_energy(membrane, terms, moved, ignored);
+      moved[i][k] -= 2.0 * step;
+      const double below = membrane_energy(membrane, terms, moved, ignored);
+      // Central differences: the error is a third derivative times step²/6, and rounding.
+      EXPECT_NEAR(gradient[i][k], (above - below) / (2.0 * step), 1e-6 * (1.0 + energy))
+          << "vertex " << i << ", component " << k;
+    }
+  }
+}
+
+TEST(MembraneEnergy, GradientOfStretchingMatches) {
+  expect_gradient_of_energy({.edges = {{0, 1}, {1, 2}, {2, 3}, {4, 5}}});
+}
+
+TEST(MembraneEnergy, GradientOfBendingMatches) {
+  expect_gradient_of_energy({.hinges = {{0, 1, 2, 3}, {2, 3, 4, 5}}});
+}
+
+TEST(MembraneEnergy, GradientOfSelfAvoidanceMatches) {
+  expect_gradient_of_energy({.contacts = {{0, 1}, {0, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 5}}});
+}
+
+TEST(MembraneEnergy, GradientOfTethersMatches) {
+  expect_gradient_of_energy(
+      {.tethers = {{0, 0.3, {0.1, 0.2, 0.3, 0.0}, Lanes<double>(1.0, 2.0, -1.0, 0.0).normalized()},
+                   {4, 0.7, {0.0, -0.5, 0.3, 0.0}, Lanes<double>(0.0, 0.0, 1.0, 0.0)}}});
+}
+
+TEST(MembraneEnergy, GradientOfPullsMatches) {
+  expect_gradient_of_energy(
+      {.pulls = {{1, 0.3, {14.0, 0.2, 0.3, 0.0}}, {4, 0.7, {0.0, -13.5, 0.3, 0.0}}}});
+}
+
+TEST(MembraneEnergy, VerticesApartDoNotRepel) {
+  const Membrane membrane;
+  const Positions x = {{0.0, 0.0, 0.0, 0.0}, {1.01 * membrane.contact_distance(), 0.0, 0.0, 0.0}};
+  Positions gradient(2, Lanes<double>::Zero());
+  const MembraneTerms<double> terms = {.contacts = {{0, 1}}};
+  EXPECT_EQ(membrane_energy(membrane, terms, x, gradient), 0.0);
+}
+
+/// A cylinder rolled up from an equilateral lattice has the bending energy κ/(2R²) per area.
+TEST(MembraneEnergy, BendingOfACylinderIsThatOfTheContinuum) {
+  const Membrane membrane;
+  const double length = membrane.length;
+  const double radius = 40.0 * length;
+  const double height = 0.5 * std::sqrt(3.0) * length;
+  // Rows run along the axis; a vertex and what is around it.
+  const auto at = [&](double row, double along) {
+    const double angle = row * height / radius;
+    return Lanes<double>(radius * std::cos(angle), radius * std::sin(angle), along * length, 0.0);
+  };
+  const Positions x = {at(0, 0),     at(0, 1),    at(1, 0.5), at(1, -0.5), at(0, -1),
+                       at(-1, -0.5), at(-1, 0.5), at(1, 1.5), at(2, 0),    at(1, -1.5)};
+  Positions gradient(x.size(), Lanes<double>::Zero());
+  MembraneTerms<double> terms;
+  terms.hinges = {{0, 1, 2, 6}, {0, 2, 3, 1}, {0, 3, 4, 2}};  // the three edges of a vertex
+  double stretching = 0.0;
+  for (const Hinge& h : terms.hinges) {
+    const double stretch =
+        (x[static_cast<std::size_t>(h.b)] - x[static_cast<std::size_t>(h.a)]).norm() - length;
+    stretching += 0.5 * membrane.stretching * stretch * stretch;
+  }
+  const double bending = membrane_energy(membrane, terms, x, gradient) - stretching;
+  const double expected = 0.5 * Membrane::bending / (radius * radius) * height * length;
+  EXPECT_NEAR(bending, expected, 0.01 * expected);
+}
+
+}  // namespace
+}  // namespace trivalent::remesh
