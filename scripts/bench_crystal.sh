@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Crystal nets of real meshes: quality, distance, energy above graphene after relaxation, seconds and
 # peak memory, each beside the paper's method and CGAL's isotropic remeshing (one thread) in the same
-# run; the last row is bunny00 with ten times the vertices, for the growth. Needs a release build with
+# run; the last row is bunny00 with ten times the vertices, for the growth. Then shells of carbon as
+# `build` makes them: excess energy beside the icosahedral law for spheres, distances from the surface
+# both ways before relaxation, bonds broken and formed. Needs a release build with
 # -DTRIVALENT_BUILD_BENCHMARKS=ON.
 #
 #   scripts/bench_crystal.sh [MESH EDGE]...    default: meshes of Debian's libcgal-demo
@@ -18,6 +20,7 @@ mkdir -p results/crystal
 
 python3 - "$program" "$peer" results/crystal "$@" <<'END'
 import json
+import math
 import os
 import subprocess
 import sys
@@ -61,4 +64,30 @@ for mesh, edge in zip(jobs[::2], jobs[1::2]):
               f'  {quality["self_intersections"]:9d}  {100 * result["distance"]["rms_of_diagonal"]:6.3f} %'
               f'  {1000 * rest["excess_per_atom"]:8.2f} meV/atom  {len(rest["relaxation"]["bonds_broken"]):6d}'
               f'  {seconds:5.1f}  {cpu:7.1f}  {memory:5.0f}', flush=True)
+
+
+def shell_row(name, shape, atoms, *options):
+    folder = f'{results}/shell.{name}'
+    report, seconds, cpu, memory = run(program, 'build', shape, '-o', folder, '--atoms', str(atoms),
+                                       *options, '--json', '--quiet')
+    count = report['network']['atoms']
+    excess = 1000 * report['energy']['after']['excess_per_atom']
+    law = f'{1000 * (9.844 * math.log(count) - 7.52) / count:6.2f}' if shape == 'sphere' else '     -'
+    sizes = report['quality']['valences']
+    there, back = report['distance']['to_original'], report['distance']['from_original']
+    relaxation = report['relaxation']
+    print(f'{name:24} {count:6d}  {excess:7.2f}  {law}  {sizes.get("5", 0):4d}/{sizes.get("7", 0):<4d}'
+          f'  {there["root_mean_square"]:5.2f}/{there["max"]:<6.2f} {back["root_mean_square"]:5.2f}/{back["max"]:<6.2f}'
+          f'  {report["quality"]["self_intersections"]:9d}  {len(relaxation["bonds_broken"]):6d} {len(relaxation["bonds_formed"]):6d}'
+          f'  {seconds:5.1f}  {cpu:7.1f}  {memory:5.0f}', flush=True)
+
+
+print('\nshell                     atoms   meV/atom  law   5/7 rings  to the surface, from it [Å, rms/max]'
+      '  crossings  broken formed      s  (CPU s)   MiB')
+for atoms in (240, 960, 2160, 6000, 8000, 20000):
+    shell_row(f'sphere-{atoms}', 'sphere', atoms)
+shapes = {os.path.splitext(os.path.basename(mesh))[0]: mesh for mesh in jobs[::2]}
+for name, mesh in shapes.items():
+    for follow in ('carbon', 'free'):
+        shell_row(f'{name}-{follow}', mesh, 20000, '--follow', follow)
 END

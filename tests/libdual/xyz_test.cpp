@@ -10,6 +10,7 @@
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/columns.h"
+#include "trivalent/dual/padded_box.h"
 
 namespace trivalent::dual {
 namespace {

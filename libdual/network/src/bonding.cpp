@@ -7,8 +7,12 @@
 #include "trivalent/potentials/neighbor_list.h"
 
 namespace trivalent::dual {
+namespace {
+
 using potentials::Bond;
 using potentials::Species;
+
+}  // namespace
 
 Bonding bonding_of(const potentials::Atoms& atoms, std::span<const Bond> bonds) {
   check_bonds(atoms, bonds);

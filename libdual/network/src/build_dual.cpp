@@ -50,11 +50,13 @@ double edge_length_for_bond(double bond) { return std::sqrt(3.0) * bond; }
 Structure build_dual(const remesh::TriMesh& mesh) {
   if (mesh.n_faces() == 0)
     throw InvalidNetwork("build_dual: the mesh has no faces; atoms need them");
-  return {.atoms = {.positions = centroids(mesh),
-                    .species = std::vector(mesh.n_faces(), potentials::Species::carbon),
-                    .box = {}},
-          .bonds = bonds_across_edges(mesh),
-          .rings = rings_around_vertices(mesh)};
+  // Member by member: gcc 12 destroys a nested initializer twice if a later one throws.
+  Structure structure;
+  structure.atoms.positions = centroids(mesh);
+  structure.atoms.species.assign(mesh.n_faces(), potentials::Species::carbon);
+  structure.bonds = bonds_across_edges(mesh);
+  structure.rings = rings_around_vertices(mesh);
+  return structure;
 }
 
 double mean_bond_length(const Structure& structure) {
