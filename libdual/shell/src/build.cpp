@@ -147,7 +147,7 @@ void Build::evaluate() {
   evaluate_shell();
   evaluate_input();
   end(BuildStep::energies);
-  note_misses(options_.shell, result);
+  note_misses(options_.shell.size, result);
   note_findings(result);
 }
 

@@ -21,8 +21,8 @@ std::string crossing_remedy(const BuildResult& result) {
 
 }  // namespace
 
-void note_misses(const dual::ShellOptions& options, BuildResult& result) {
-  const auto* asked = std::get_if<dual::AtomCount>(&options.size);
+void note_misses(const dual::ShellSize& size, BuildResult& result) {
+  const auto* asked = std::get_if<dual::AtomCount>(&size);
   const int atoms = result.network.atoms;
   if (asked != nullptr &&
       std::abs(atoms - asked->atoms) > dual::atom_count_tolerance * asked->atoms) {
@@ -30,13 +30,8 @@ void note_misses(const dual::ShellOptions& options, BuildResult& result) {
                            std::to_string(asked->atoms) +
                            " asked for: no edge length that was tried came nearer");
   }
-  // A net on the surface lies half inside and half outside, and rounds off what is sharp; one that
-  // is at rest as a membrane, which only closed surfaces without creases have, is up to five edges
-  // away.
-  const auto* crystal = std::get_if<remesh::CrystalOptions>(&options.method);
-  const bool is_membrane =
-      crystal != nullptr && !crystal->feature_angle && result.quality.boundary_loops == 0;
-  const double max_covered_distance = is_membrane ? 6.0 : 1.5;  // edges
+  // The net lies half inside and half outside, and rounds off what is sharp.
+  constexpr double max_covered_distance = 1.5;  // edges
   const double edge = result.quality.edge_length.mean;
   const double distance = result.distance.from_original.max;
   if (distance > max_covered_distance * edge) {

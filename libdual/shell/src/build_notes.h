@@ -5,7 +5,7 @@
 namespace trivalent::shell {
 
 /// Notes where the shell is not what was asked for.
-void note_misses(const dual::ShellOptions& options, BuildResult& result);
+void note_misses(const dual::ShellSize& size, BuildResult& result);
 
 /// Notes open edges, self-intersections and wrong bonds.
 void note_findings(BuildResult& result);
