@@ -30,10 +30,14 @@ void note_misses(const dual::ShellSize& size, BuildResult& result) {
                            std::to_string(asked->atoms) +
                            " asked for: no edge length that was tried came nearer");
   }
-  // The net lies half inside and half outside, and rounds off what is sharp.
-  constexpr double max_covered_distance = 1.5;  // edges
   const double edge = result.quality.edge_length.mean;
   const double distance = result.distance.from_original.max;
+  // A net on the surface lies half inside and half outside, and rounds off what is sharp; one that
+  // is at rest as a membrane is up to five edges away, and about one edge on average.
+  constexpr double max_rms_on_surface = 0.25;  // edges
+  const bool is_on_surface =
+      result.distance.to_original.root_mean_square < max_rms_on_surface * edge;
+  const double max_covered_distance = is_on_surface ? 1.5 : 6.0;  // edges
   if (distance > max_covered_distance * edge) {
     result.notes.push_back("a part of the surface is left out, up to " + decimals(distance, 1) +
                            " Å (" + decimals(distance / edge, 1) +
