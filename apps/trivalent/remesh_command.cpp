@@ -4,8 +4,8 @@
 #include "repair_options.h"
 #include "session.h"
 #include "trivalent/remesh/mesh_io.h"
-#include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/shell/build.h"
+#include "trivalent/shell/remesh_surface.h"
 #include "trivalent/shell/reports.h"
 #include "trivalent/shell/surface_source.h"
 
@@ -27,40 +27,34 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session) return done;
   if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
   const auto edge = session->get<double>("edge");
-  remesh::RemeshMethod method = remesh_method(*session);
+  shell::RemeshSurfaceOptions options = {.target_edge_length = edge,
+                                         .method = remesh_method(*session),
+                                         .repair = repair_options(*session)};
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 
-  remesh::RepairOptions repair = repair_options(*session);
-  repair.edge_length_on = [edge](const remesh::TriMesh&) { return edge; };
-  const remesh::RepairResult input =
-      remesh::repair(shell::read_soup(session->get<std::string>("IN")), repair);
-  session->terminal.notes(input.notes);
-  const remesh::TriMesh& original = input.mesh;
+  // Until the search begins there is nothing that a stop could keep: a signal ends the program.
   std::optional<StopRequest> stop;
-  if (can_stop_early(method)) stop_with(method, stop.emplace());
-  const remesh::RemeshResult remeshed = remesh::remesh_by(original, method, edge);
-  const int exit_code = remeshed.stopped ? stop->exit_code() : done;
-  stop.reset();
-  if (remeshed.stopped) session->terminal.note("note: " + shell::stopped_note(remeshed));
-  remesh::write_mesh(remeshed.mesh, output);
+  int exit_code = done;
+  options.on_step = [&](shell::RemeshStep step) {
+    if (step == shell::RemeshStep::remesh) {
+      if (can_stop_early(options.method)) stop_with(options.method, stop.emplace());
+      return;
+    }
+    if (stop) exit_code = stop->exit_code();
+    stop.reset();
+  };
+  const shell::RemeshedSurface remeshed =
+      shell::remesh_surface(shell::read_soup(session->get<std::string>("IN")), options);
+  session->terminal.notes(remeshed.notes);
+  if (remeshed.net.stopped) session->terminal.note("note: " + shell::stopped_note(remeshed.net));
+  remesh::write_mesh(remeshed.net.mesh, output);
 
-  const auto quality = remesh::measure_quality(remeshed.mesh);
-  const auto distance = remesh::measure_distance(remeshed.mesh, original);
   Result result = {.table = {{"wrote", output}}, .json = {{"file", output}}};
-  shell::append(result.table, shell::quality_rows(quality));
-  shell::append(result.table, shell::net_rows(remeshed));
-  shell::append(result.table, shell::distance_rows(distance));
-  result.json["notes"] = input.notes;
-  result.json["wrap_offset"] = input.offset;
-  result.json["iterations"] = remeshed.iterations;
-  result.json["net"] = shell::net_json(remeshed);
-  result.json["stopped"] = remeshed.stopped;
-  result.json["target_edge_length"] = edge;
-  result.json["quality"] = shell::quality_json(quality);
-  result.json["distance"] = shell::distance_json(distance);
+  shell::append(result.table, remeshed.rows());
+  result.json.update(remeshed.json());
   session->terminal.print(result);
-  return exit_code;
+  return remeshed.net.stopped ? exit_code : done;
 }
 
 }  // namespace

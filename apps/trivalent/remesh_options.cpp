@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "trivalent/shell/option_names.h"
+
 namespace trivalent::apps {
 namespace {
 
@@ -9,14 +11,6 @@ enum class Method { crystal, paper };
 
 constexpr shell::Names<Method, 2> methods = {
     {{"crystal", Method::crystal}, {"paper", Method::paper}}};
-constexpr shell::Names<remesh::Effort, 3> efforts = {{{"quick", remesh::Effort::quick},
-                                                      {"normal", remesh::Effort::normal},
-                                                      {"thorough", remesh::Effort::thorough}}};
-constexpr shell::Names<remesh::Follow, 3> follows = {{{"close", remesh::Follow::close},
-                                                      {"carbon", remesh::Follow::carbon},
-                                                      {"free", remesh::Follow::free}}};
-constexpr shell::Names<remesh::Restriction, 2> restrictions = {
-    {{"hard", remesh::Restriction::hard}, {"least-squares", remesh::Restriction::least_squares}}};
 
 std::optional<double> feature_angle(const Session& session) {
   const auto degrees = session.find<double>("feature-angle");
@@ -40,8 +34,8 @@ remesh::CrystalOptions crystal_options(const Session& session) {
   refuse_options(session, {"iterations", "rings", "sigma", "restriction"});
   if (session.get<int>("seed") < 0) throw UsageError("--seed must not be negative");
   remesh::CrystalOptions options;
-  options.effort = named_value(session, "effort", efforts);
-  options.follow = named_value(session, "follow", follows);
+  options.effort = named_value(session, "effort", shell::effort_names);
+  options.follow = named_value(session, "follow", shell::follow_names);
   options.seed = static_cast<std::uint64_t>(session.get<int>("seed"));
   return options;
 }
@@ -52,7 +46,7 @@ remesh::RemeshOptions paper_options(const Session& session) {
   options.iterations = session.get<int>("iterations");
   options.rings = session.get<int>("rings");
   options.tolerance = session.get<double>("sigma");
-  options.restriction = named_value(session, "restriction", restrictions);
+  options.restriction = named_value(session, "restriction", shell::restriction_names);
   return options;
 }
 
@@ -73,9 +67,9 @@ void add_remesh_options(po::options_description& options) {
       ("method", with_default_name(Method::crystal, methods),
        "crystal: few defects, where curvature wants them; paper: split, collapse, flip, relax, "
        "project")  //
-      ("effort", with_default_name(remesh::Effort::normal, efforts),
+      ("effort", with_default_name(remesh::Effort::normal, shell::effort_names),
        "crystal: how long to search, quick, normal or thorough")  //
-      ("follow", with_default_name(remesh::Follow::carbon, follows),
+      ("follow", with_default_name(remesh::Follow::carbon, shell::follow_names),
        "crystal: how strongly the net is held to the surface: close, carbon (as far as a shell at "
        "rest moves away) or free (lowest energy)")               //
       ("seed", with_default(0), "crystal: of the random moves")  //
@@ -86,7 +80,7 @@ void add_remesh_options(po::options_description& options) {
        "paper: k, 1 to 8, rings of neighbors in the relaxation")  //
       ("sigma", with_default(defaults.tolerance),
        "paper: edges within this fraction of the target length are left alone, between 0 and 1")  //
-      ("restriction", with_default_name(defaults.restriction, restrictions),
+      ("restriction", with_default_name(defaults.restriction, shell::restriction_names),
        "paper: how vertices are kept in their tangent planes: hard or least-squares");
 }
 

@@ -7,6 +7,7 @@
 #include "session.h"
 #include "states.h"
 #include "trivalent/shell/number_text.h"
+#include "trivalent/shell/option_names.h"
 #include "trivalent/shell/reports.h"
 #include "trivalent/view/picture.h"
 
@@ -15,9 +16,6 @@ namespace {
 
 constexpr std::array<std::string_view, 1> picture_extensions = {".png"};
 
-constexpr shell::Names<dual::PictureStyle, 2> styles = {
-    {{"atoms", dual::PictureStyle::atoms}, {"rings", dual::PictureStyle::rings}}};
-
 Grammar grammar_of_render() {
   const dual::PictureOptions defaults;
   Grammar grammar = {.arguments = {}, .options = po::options_description("Options")};
@@ -25,7 +23,7 @@ Grammar grammar_of_render() {
       ("output,o", po::value<std::string>(), "the picture, .png; must be given")(
           "color", with_default(defaults.map),
           "energy, excess_energy, ring_size, coordination, bond_strain, pyramidalization, "
-          "displacement")("style", with_default_name(defaults.style, styles),
+          "displacement")("style", with_default_name(defaults.style, shell::picture_style_names),
                           "atoms: balls and sticks; rings: polygons")(
           "size", with_default(std::string("1200x900")), "width x height [pixel]")(
           "azimuth", with_default(defaults.azimuth), "turn about the vertical y axis [degree]")(
@@ -54,19 +52,19 @@ std::array<int, 2> picture_size(const Session& session) {
 }
 
 dual::PictureOptions picture_options(const Session& session) {
-  constexpr dual::Color night = {20, 23, 28};
   const auto [width, height] = picture_size(session);
-  dual::PictureOptions options = {.width = width,
-                                  .height = height,
-                                  .map = session.get<std::string>("color"),
-                                  .style = named_value(session, "style", styles),
-                                  .azimuth = session.get<double>("azimuth"),
-                                  .elevation = session.get<double>("elevation"),
-                                  .roll = session.get<double>("roll"),
-                                  .zoom = session.get<double>("zoom"),
-                                  .low = session.find<double>("low"),
-                                  .high = session.find<double>("high")};
-  if (session.has("dark")) options.background = night;
+  dual::PictureOptions options = {
+      .width = width,
+      .height = height,
+      .map = session.get<std::string>("color"),
+      .style = named_value(session, "style", shell::picture_style_names),
+      .azimuth = session.get<double>("azimuth"),
+      .elevation = session.get<double>("elevation"),
+      .roll = session.get<double>("roll"),
+      .zoom = session.get<double>("zoom"),
+      .low = session.find<double>("low"),
+      .high = session.find<double>("high")};
+  if (session.has("dark")) options.background = dual::night;
   return options;
 }
 

@@ -4,7 +4,7 @@
 
 #include "potential_options.h"
 #include "structure_options.h"
-#include "trivalent/shell/evaluate.h"
+#include "trivalent/shell/states.h"
 
 namespace trivalent::apps {
 
@@ -37,19 +37,12 @@ StatesRequest states_request(const Session& session) {
 }
 
 std::vector<dual::ShellState> read_states(const StatesRequest& request, const Terminal& terminal) {
-  std::vector<dual::ShellState> states;
+  std::vector<shell::NamedStructure> structures;
   for (std::size_t i = 0; i < request.files.size(); ++i) {
-    states.push_back(shell::evaluate(read_structure(request.files[i], request.reading, terminal),
-                                     {.potential = request.potential})
-                         .state);
-    states.back().name = request.names[i];
+    structures.push_back(
+        {request.names[i], read_structure(request.files[i], request.reading, terminal)});
   }
-  const potentials::Atoms& first = states.front().structure.atoms;
-  const potentials::Atoms& last = states.back().structure.atoms;
-  if (states.size() > 1 && first.species == last.species) {
-    states.back().maps.push_back(dual::displacement_map(first.positions, last.positions));
-  }
-  return states;
+  return shell::evaluate_states(std::move(structures), request.potential);
 }
 
 }  // namespace trivalent::apps

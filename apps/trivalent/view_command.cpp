@@ -8,6 +8,7 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
+#include "trivalent/shell/states.h"
 #include "trivalent/view/shell_page.h"
 
 namespace trivalent::apps {
@@ -24,20 +25,6 @@ Grammar grammar_of_view() {
           "surface", po::value<std::string>(), "mesh file to be shown as a ghost, in Å");
   add_states_options(grammar);
   return grammar;
-}
-
-std::vector<TableRow> energy_rows(const std::vector<dual::ShellState>& states) {
-  std::vector<TableRow> rows;
-  for (const dual::ShellState& state : states) {
-    const auto summary = dual::summarize_energies(state.find("energy")->values, 0);
-    rows.push_back({state.name});
-    rows.push_back({"atoms", std::to_string(state.structure.atoms.size())});
-    rows.push_back({"energy", shell::decimals(summary.total, 6) + " eV"});
-    rows.push_back({"per atom", shell::decimals(summary.mean, 6) + " eV"});
-    rows.push_back({"lowest, highest", shell::decimals(summary.lowest, 4) + ", " +
-                                           shell::decimals(summary.highest, 4) + " eV"});
-  }
-  return rows;
 }
 
 Result describe(const std::vector<dual::ShellState>& states, const std::filesystem::path& page) {
@@ -69,13 +56,11 @@ int run(const Command& self, std::span<const std::string> arguments) {
   check_output(output, page_extensions);
   const StatesRequest request = states_request(*session);
 
-  dual::ShellPage page = {.title = {}, .states = read_states(request, session->terminal)};
-  page.title = session->find<std::string>("title").value_or(page.states.back().name);
+  dual::ShellPage page = shell::page_of(read_states(request, session->terminal), request.potential);
+  page.title = session->find<std::string>("title").value_or(page.title);
   if (const auto surface = session->find<std::string>("surface")) {
     page.surface = read_mesh_file(*surface, session->terminal);
   }
-  page.results = energy_rows(page.states);
-  page.parameters = {{"potential", session->get<std::string>("potential")}};
   write_page(output, page);
   session->terminal.print(describe(page.states, output));
   return done;

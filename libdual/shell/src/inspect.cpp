@@ -84,7 +84,9 @@ void judge(Inspection& result) {
   }
 }
 
-Inspection look_at(const remesh::TriangleSoup& soup, const InspectOptions& options) {
+}  // namespace
+
+Inspection inspect(const remesh::TriangleSoup& soup, const InspectOptions& options) {
   Inspection result;
   result.is_read = true;
   result.reading_notes = soup.notes;
@@ -100,8 +102,6 @@ Inspection look_at(const remesh::TriangleSoup& soup, const InspectOptions& optio
   return result;
 }
 
-}  // namespace
-
 Inspection inspect(const std::string& path, const InspectOptions& options) {
   remesh::TriangleSoup soup;
   try {
@@ -109,7 +109,7 @@ Inspection inspect(const std::string& path, const InspectOptions& options) {
   } catch (const remesh::Error& error) {
     return {.reason = error.what()};
   }
-  return look_at(soup, options);
+  return inspect(soup, options);
 }
 
 }  // namespace trivalent::shell

@@ -81,14 +81,21 @@ remesh::TriangleSoup read_soup(const std::string& path) {
   return remesh::triangulate(remesh::read_polygon_soup(path == "-" ? "/dev/stdin" : path));
 }
 
-Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
-                     remesh::RepairOptions repair) {
-  if (is_built_in(source)) return {.mesh = make_fine_shape(parse_shape(source), shell)};
+Surface repair_surface(const remesh::TriangleSoup& soup, const dual::ShellOptions& shell,
+                       remesh::RepairOptions repair) {
   repair.edge_length_on = [&shell](const remesh::TriMesh& mesh) {
     return dual::estimate_shell(mesh, shell).edge_length;
   };
-  remesh::RepairResult read = remesh::repair(read_soup(source), repair);
-  return {.mesh = std::move(read.mesh), .notes = std::move(read.notes), .wrap_offset = read.offset};
+  remesh::RepairResult result = remesh::repair(soup, repair);
+  return {.mesh = std::move(result.mesh),
+          .notes = std::move(result.notes),
+          .wrap_offset = result.offset};
+}
+
+Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
+                     remesh::RepairOptions repair) {
+  if (is_built_in(source)) return {.mesh = make_fine_shape(parse_shape(source), shell)};
+  return repair_surface(read_soup(source), shell, std::move(repair));
 }
 
 }  // namespace trivalent::shell

@@ -150,15 +150,17 @@ Picture FlatDrawing::picture() const {
   return picture;
 }
 
+void write_png(std::ostream& out, const Picture& picture) {
+  cairo_surface_t* surface = surface_of(picture);
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface, write_bytes, &out);
+  cairo_surface_destroy(surface);
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw FileError(concat("write_png: ", cairo_status_to_string(status)));
+  }
+}
+
 void write_png(const std::filesystem::path& path, const Picture& picture) {
-  remesh::write_whole_file(path, [&](std::ostream& out) {
-    cairo_surface_t* surface = surface_of(picture);
-    const cairo_status_t status = cairo_surface_write_to_png_stream(surface, write_bytes, &out);
-    cairo_surface_destroy(surface);
-    if (status != CAIRO_STATUS_SUCCESS) {
-      throw FileError(concat("write_png: ", path.string(), ": ", cairo_status_to_string(status)));
-    }
-  });
+  remesh::write_whole_file(path, [&](std::ostream& out) { write_png(out, picture); });
 }
 
 }  // namespace trivalent::dual

@@ -57,5 +57,7 @@ struct Inspection {
 ///
 /// @throws dual::InvalidOption, remesh::InvalidOption if an option is out of its range.
 [[nodiscard]] Inspection inspect(const std::string& path, const InspectOptions& options);
+/// The same for triangles that are in memory.
+[[nodiscard]] Inspection inspect(const remesh::TriangleSoup& soup, const InspectOptions& options);
 
 }  // namespace trivalent::shell

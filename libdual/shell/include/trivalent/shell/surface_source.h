@@ -35,6 +35,15 @@ struct Surface {
                              ///< wrapped
 };
 
+/// Repairs triangles that are to become a shell.
+///
+/// @param repair  its edge_length_on is set here
+/// @throws remesh::InvalidMesh if no surface results
+/// @throws remesh::InvalidOption, dual::InvalidOption if an option is out of its range
+[[nodiscard]] Surface repair_surface(const remesh::TriangleSoup& soup,
+                                     const dual::ShellOptions& shell,
+                                     remesh::RepairOptions repair = {});
+
 /// Reads a mesh file and repairs it, or makes a built-in shape of triangles about half as long as
 /// the shell's, so that it looks smooth to the shell.
 ///

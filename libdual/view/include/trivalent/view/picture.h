@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ enum class PictureStyle {
   atoms,  ///< balls, and sticks where there is room for them
   rings   ///< rings as polygons, each the mean of its atoms (or by its size, if that is the map)
 };
+
+/// A dark background.
+inline constexpr Color night = {20, 23, 28};
 
 struct PictureOptions {
   int width = 1200;  ///< [pixel], 100 to 10000
@@ -50,7 +54,12 @@ struct PictureOptions {
 [[nodiscard]] Picture draw_states(std::span<const ShellState> states,
                                   const PictureOptions& options);
 
-/// Writes a PNG, which appears whole or not at all.
+/// Writes a PNG.
+///
+/// @throws remesh::FileError if it cannot be written.
+void write_png(std::ostream& out, const Picture& picture);
+
+/// The same into a file, which appears whole or not at all.
 ///
 /// @throws FileError if the file cannot be written.
 void write_png(const std::filesystem::path& path, const Picture& picture);
