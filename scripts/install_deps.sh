@@ -14,6 +14,9 @@ packages=(
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies
   python3 python3-ase python3-numpy python3-vtk9  # read our files back in the tests
+  pybind11-dev python3-dev  # the Python module
+  python3-pytest python3-mypy python3-matplotlib python3-tqdm  # its tests and examples
+  python3-pip python3-wheel  # pip install .
 )
 
 # The page that shows shells is made by npm; any Node.js from 18 on will do, whoever packaged it.

@@ -1,0 +1,117 @@
+#include "options.h"
+
+#include <numbers>
+
+#include "trivalent/shell/option_names.h"
+
+namespace trivalent::python {
+namespace {
+
+enum class Method { crystal, paper };
+constexpr shell::Names<Method, 2> method_names = {
+    {{"crystal", Method::crystal}, {"paper", Method::paper}}};
+
+remesh::CrystalOptions crystal_options(const Options& options) {
+  options.refuse({"iterations", "rings", "sigma", "restriction"}, "goes with method='paper'");
+  remesh::CrystalOptions crystal;
+  options.set("effort", crystal.effort, shell::effort_names);
+  options.set("follow", crystal.follow, shell::follow_names);
+  options.set("seed", crystal.seed);
+  return crystal;
+}
+
+remesh::RemeshOptions paper_options(const Options& options) {
+  options.refuse({"effort", "follow", "seed"}, "goes with method='crystal'");
+  remesh::RemeshOptions paper;
+  options.set("iterations", paper.iterations);
+  options.set("rings", paper.rings);
+  options.set("sigma", paper.tolerance);
+  options.set("restriction", paper.restriction, shell::restriction_names);
+  return paper;
+}
+
+std::optional<double> feature_angle(const Options& options) {
+  const auto degrees = options.find<double>("feature_angle");
+  if (!degrees) return std::nullopt;
+  if (!(*degrees > 0.0 && *degrees < 180.0)) {
+    throw WrongOption("feature_angle must lie between 0 and 180 degrees");
+  }
+  return *degrees * std::numbers::pi / 180.0;
+}
+
+}  // namespace
+
+void Options::allow_one(std::initializer_list<const char*> names) const {
+  std::string given;
+  int count = 0;
+  for (const char* name : names) {
+    if (!has(name)) continue;
+    given += (count++ > 0 ? " and " : "") + std::string(name);
+  }
+  if (count > 1) throw WrongOption(given + " both say how large the shell is; give one");
+}
+
+void Options::refuse(std::initializer_list<const char*> names, const std::string& reason) const {
+  for (const char* name : names) {
+    if (has(name)) throw WrongOption(std::string(name) + ' ' + reason);
+  }
+}
+
+void Options::refuse_type(const char* name) const {
+  throw WrongOption(std::string(name) + " has the wrong type or is out of range: " +
+                    py::repr(values_[name]).cast<std::string>());
+}
+
+dual::ShellOptions shell_options(const Options& options) {
+  options.allow_one({"atoms", "length", "scale"});
+  dual::ShellOptions shell;
+  if (const auto atoms = options.find<int>("atoms")) shell.size = dual::AtomCount{*atoms};
+  if (const auto length = options.find<double>("length")) shell.size = dual::LongestSide{*length};
+  if (const auto scale = options.find<double>("scale")) shell.size = dual::Scale{*scale};
+  options.set("bond", shell.bond);
+  shell.method = remesh_method(options);
+  return shell;
+}
+
+dual::DualSize dual_size(const Options& options) {
+  options.allow_one({"bond", "length", "scale"});
+  if (const auto length = options.find<double>("length")) return dual::LongestSide{*length};
+  if (const auto scale = options.find<double>("scale")) return dual::Scale{*scale};
+  if (const auto bond = options.find<double>("bond")) return dual::MeanBond{*bond};
+  return dual::MeanBond();
+}
+
+remesh::RemeshMethod remesh_method(const Options& options) {
+  Method method = Method::crystal;
+  options.set("method", method, method_names);
+  if (method == Method::crystal) {
+    remesh::CrystalOptions crystal = crystal_options(options);
+    crystal.feature_angle = feature_angle(options);
+    return crystal;
+  }
+  remesh::RemeshOptions paper = paper_options(options);
+  paper.feature_angle = feature_angle(options);
+  return paper;
+}
+
+remesh::RepairOptions repair_options(const Options& options) {
+  remesh::RepairOptions repair;
+  options.set("repair", repair.method, shell::repair_names);
+  options.set("holes", repair.holes, shell::hole_names);
+  options.set("components", repair.components, shell::component_names);
+  repair.wrap_alpha = options.find<double>("wrap_alpha");
+  repair.wrap_offset = options.find<double>("wrap_offset");
+  return repair;
+}
+
+shell::PotentialChoice potential_choice(const Options& options) {
+  shell::PotentialChoice choice;
+  options.set("potential", choice.name);
+  options.set("lj_epsilon", choice.lennard_jones.epsilon);
+  options.set("lj_sigma", choice.lennard_jones.sigma);
+  options.set("lj_cutoff", choice.lennard_jones.cutoff);
+  options.set("lj_shift", choice.lennard_jones.shift);
+  return choice;
+}
+
+}  // namespace trivalent::python

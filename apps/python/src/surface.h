@@ -1,0 +1,30 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <variant>
+
+#include "trivalent/remesh/polygon_soup.h"
+#include "trivalent/shell/surface_source.h"
+
+namespace trivalent::python {
+
+/// A path or the name of a built-in shape, or points and triangles.
+using SurfaceSource = std::variant<std::string, remesh::TriangleSoup>;
+
+/// Takes a str, a Surface, or a tuple of points (n, 3) and a list of arrays of faces (m, k).
+///
+/// @throws InvalidArray if shapes or types of arrays differ from that, a point is not finite, or an
+///   index is out of range.
+[[nodiscard]] SurfaceSource surface_source(const pybind11::object& source);
+
+/// The soup of a source; needs no GIL.
+[[nodiscard]] remesh::TriangleSoup soup_of(const SurfaceSource& source);
+
+/// A sound surface for a shell; needs no GIL.
+[[nodiscard]] shell::Surface make_surface(const SurfaceSource& source,
+                                          const dual::ShellOptions& shell,
+                                          const remesh::RepairOptions& repair);
+
+}  // namespace trivalent::python

@@ -1,0 +1,134 @@
+"""Surfaces: what a shell is built on, out of files, formulas, arrays and other libraries' meshes."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._errors import InvalidArray, InvalidOption
+
+#: A path, a built-in shape ("torus:R=3,r=1"), a Surface, arrays (vertices, faces), or any object with
+#: .vertices and .faces (trimesh), .points and .faces or .cells (PyVista, meshio).
+SurfaceLike = Any
+
+
+class Surface:
+    """A sound triangle mesh: an oriented 2-manifold, open or closed."""
+
+    def __init__(self, core: _core.Surface, report: dict[str, Any] | None = None) -> None:
+        self._core = core
+        self.report: dict[str, Any] = {} if report is None else report
+        """How it came about, as the program's JSON says it; empty if it was only read."""
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]:
+        """Positions, shape (n, 3), in the unit of the input; [Å] for the surface of a shell. Read-only."""
+        return self._core.vertices
+
+    @property
+    def faces(self) -> npt.NDArray[np.int32]:
+        """Corners of each triangle, shape (m, 3): indices of vertices, counter-clockwise seen from outside."""
+        return self._core.faces
+
+    @property
+    def notes(self) -> list[str]:
+        """What was changed on the way in, one sentence each."""
+        return self._core.notes
+
+    @property
+    def wrap_offset(self) -> float:
+        """Distance from the input to its wrap, in the unit of the input; 0 if it was not wrapped."""
+        return self._core.wrap_offset
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes OFF, OBJ, PLY or STL, by extension; lengths in the surface's own unit."""
+        self._core.write(os.fspath(path))
+
+    def __repr__(self) -> str:
+        return f"<trivalent.Surface of {len(self.vertices)} vertices and {len(self._core.faces)} faces>"
+
+
+if TYPE_CHECKING:
+    #: What _core takes: a text, or points and arrays of faces.
+    _Source = str | _core.Surface | tuple[Any, list[Any]]
+
+
+def source_of(surface: SurfaceLike) -> _Source:
+    """The surface as _core takes it."""
+    if isinstance(surface, (str, os.PathLike)):
+        return os.fspath(surface)
+    if isinstance(surface, Surface):
+        return surface._core
+    if isinstance(surface, tuple):
+        return _source_of_tuple(surface)
+    faces = getattr(surface, "faces", None)
+    vertices = getattr(surface, "vertices", None)
+    points = getattr(surface, "points", None)
+    if vertices is not None and faces is not None:
+        return (vertices, _face_arrays(faces))
+    if points is not None and faces is not None:
+        return (points, _face_arrays(faces))
+    if points is not None and hasattr(surface, "cells"):
+        return (points, _cell_arrays(surface))
+    raise InvalidOption(
+        f"a surface is a path, a built-in shape, (vertices, faces), or an object with .vertices and .faces "
+        f"or .points and .cells, not {type(surface).__name__}"
+    )
+
+
+def name_of(surface: SurfaceLike) -> str:
+    """What reports call the surface."""
+    if isinstance(surface, (str, os.PathLike)):
+        return os.fspath(surface)
+    return "arrays" if isinstance(surface, tuple) else type(surface).__name__
+
+
+def _source_of_tuple(surface: tuple[Any, ...]) -> _Source:
+    if len(surface) == 3 and surface[2] is not None:
+        raise InvalidOption("a surface with a cell: periodic surfaces are not known yet; give (vertices, faces)")
+    if len(surface) not in (2, 3):
+        raise InvalidOption(f"a surface is (vertices, faces), not a tuple of {len(surface)}")
+    return (surface[0], _face_arrays(surface[1]))
+
+
+def _face_arrays(faces: Any) -> list[Any]:
+    """Faces as a list of arrays, one per number of corners."""
+    try:
+        array = np.asarray(faces)
+    except ValueError as error:
+        raise InvalidArray(f"faces: {error}") from None
+    if array.ndim == 1 and array.dtype.kind in "iu" and array.size > 0:
+        return _padded_faces(array)
+    return [array]
+
+
+def _padded_faces(array: npt.NDArray[Any]) -> list[Any]:
+    """VTK's way: the number of corners before each face's."""
+    width = int(array[0]) + 1
+    if width > 1 and array.size % width == 0 and bool((array[::width] == width - 1).all()):
+        return [array.reshape(-1, width)[:, 1:]]
+    faces = []
+    begin = 0
+    while begin < array.size:
+        end = begin + 1 + int(array[begin])
+        if not begin + 3 < end <= array.size:
+            raise InvalidArray("faces: the shape must be (n, 3), or VTK's list of faces with their sizes")
+        faces.append(array[np.newaxis, begin + 1 : end])
+        begin = end
+    return faces
+
+
+def _cell_arrays(mesh: Any) -> list[Any]:
+    """The faces among the cells of meshio and PyVista."""
+    vtk_triangle, vtk_quad = 5, 9
+    by_type = getattr(mesh, "cells_dict", None)
+    if not isinstance(by_type, dict):
+        by_type = {getattr(block, "type", None): getattr(block, "data", None) for block in mesh.cells}
+    faces = [by_type[name] for name in ("triangle", "quad", vtk_triangle, vtk_quad) if name in by_type]
+    if not faces:
+        raise InvalidArray(f"cells: there are no triangles or quads among {', '.join(map(str, by_type))}")
+    return faces

@@ -1,0 +1,128 @@
+"""Shells out of shapes: the same as the program makes, whatever form the shape has."""
+
+import json
+import pathlib
+import threading
+import types
+from typing import Any, Callable
+
+import numpy as np
+import pytest
+
+import trivalent
+
+quick = {"atoms": 500, "effort": "quick"}
+
+
+def test_the_bytes_are_those_of_the_program(tmp_path: pathlib.Path, meshes: pathlib.Path, program: Callable[..., str]) -> None:
+    mesh = meshes / "eight.off"
+    program("build", mesh, "-o", tmp_path / "shell", "--atoms", 500, "--effort", "quick", "--quiet")
+    shell = trivalent.build(mesh, **quick)
+    shell.write(tmp_path / "own.extxyz")
+    shell.surface.write(tmp_path / "own.off")
+    assert (tmp_path / "own.extxyz").read_bytes() == (tmp_path / "shell/shell.extxyz").read_bytes()
+    assert (tmp_path / "own.off").read_bytes() == (tmp_path / "shell/surface.off").read_bytes()
+    report = json.loads((tmp_path / "shell/report.json").read_text())
+    for differs in ("seconds", "options", "input"):
+        report.pop(differs)
+    assert {name: shell.report[name] for name in report} == report
+
+
+def test_a_shell_knows_its_atoms() -> None:
+    shell = trivalent.build("ellipsoid", **quick)
+    n = len(shell)
+    assert shell.positions.shape == (n, 3) and shell.energies.shape == (n,) and shell.forces.shape == (n, 3)
+    assert shell.energies.sum() == pytest.approx(shell.energy, abs=1e-8)
+    assert np.abs(shell.forces).max() < 1e-3
+    # Closed: three bonds at every atom, and Euler's characteristic is 2.
+    assert np.bincount(shell.bonds.ravel(), minlength=n).tolist() == [3] * n
+    assert n - len(shell.bonds) + len(shell.rings) == 2
+    assert sum(6 - len(ring) for ring in shell.rings) == 12
+    assert (shell.species == "C").all() and not shell.pbc.any()
+    assert set(shell.columns) >= {"coordination", "rings", "component", "displacement"}
+    assert len(shell.surface.faces) == n
+
+
+def test_a_shape_is_the_same_in_any_form(tmp_path: pathlib.Path) -> None:
+    surface = trivalent.shape("ellipsoid", 0.2)
+    surface.write(tmp_path / "shape.off")
+    vertices, faces = surface.vertices, surface.faces
+    block = types.SimpleNamespace(type="triangle", data=faces)
+    padded = np.hstack([np.full((len(faces), 1), 3), faces]).ravel()
+    forms: list[Any] = [
+        (vertices, faces),
+        (vertices.tolist(), faces.tolist()),
+        (np.asfortranarray(vertices), faces.astype(np.uint64)),
+        types.SimpleNamespace(vertices=vertices, faces=faces),
+        types.SimpleNamespace(points=vertices, cells=[types.SimpleNamespace(type="line", data=faces[:, :2]), block]),
+        types.SimpleNamespace(points=vertices, faces=padded),
+        surface,
+        tmp_path / "shape.off",
+        str(tmp_path / "shape.off"),
+    ]
+    shells = [trivalent.build(form, relax=False, atoms=200, effort="quick") for form in forms]
+    for shell in shells:
+        assert np.array_equal(shell.positions, shells[0].positions)
+
+
+def test_built_in_shapes_and_sizes() -> None:
+    sphere = trivalent.build("sphere", length=30.0, effort="quick", relax=False)
+    assert np.ptp(sphere.positions, axis=0).max() == pytest.approx(30.0, rel=0.1)
+    with pytest.raises(trivalent.InvalidOption, match="both say how large"):
+        trivalent.build("sphere", atoms=100, length=30.0)
+
+
+def test_an_edge_is_capped() -> None:
+    shell = trivalent.build("open-tube", cap="hydrogen", **quick)
+    assert (shell.species == "H").any()
+    assert trivalent.check(shell, max_force=float("inf"))["sound"] is not None
+
+
+def test_plans_cost_nothing() -> None:
+    plan = trivalent.plan("torus:R=3,r=1", atoms=100000)
+    assert plan["obstacles"] == [] and plan["atoms"] == pytest.approx(100000, rel=0.1)
+
+
+def test_progress_is_told_and_can_end_the_call() -> None:
+    told: list[tuple[str, int]] = []
+
+    def stop_at_once(step: str, done: int, total: int | None, text: str) -> bool:
+        told.append((step, done))
+        return False
+
+    shell = trivalent.build("sphere", atoms=2000, progress=stop_at_once)
+    assert told and told[0][0] == "remesh"
+    assert any("stopped" in note for note in shell.notes)
+
+
+def test_what_progress_raises_arrives() -> None:
+    def fail(*_: object) -> None:
+        raise LookupError("mine")
+
+    for method in ("crystal", "paper"):
+        with pytest.raises(LookupError, match="mine"):
+            trivalent.build("sphere", atoms=500, method=method, progress=fail)
+
+
+def test_options_of_the_other_method_are_refused() -> None:
+    with pytest.raises(trivalent.InvalidOption, match="method='crystal'"):
+        trivalent.build("sphere", method="paper", effort="quick")
+    with pytest.raises(trivalent.InvalidOption, match="crystal or paper"):
+        trivalent.build("sphere", method="other")  # type: ignore[arg-type]
+
+
+def test_two_threads_give_the_same_bytes() -> None:
+    shells: dict[int, trivalent.Shell] = {}
+
+    def work(i: int) -> None:
+        shells[i] = trivalent.build("torus", **quick)
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in (0, 1)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    work(2)
+    for i in (0, 1):
+        assert shells[i].positions.tobytes() == shells[2].positions.tobytes()
+        assert shells[i].forces.tobytes() == shells[2].forces.tobytes()
