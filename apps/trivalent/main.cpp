@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command.h"
+#include "commit.h"
 #include "interruption.h"
 #include "session.h"
 #include "trivalent/dual/error.h"
@@ -36,7 +37,8 @@ int run(const std::vector<std::string>& words) {
   const std::string& name = words.front();
   if (name == "--help" || name == "-h" || name == "help") return print_help();
   if (name == "--version") {
-    std::cout << "trivalent " TRIVALENT_VERSION "\n";
+    std::cout << "trivalent " TRIVALENT_VERSION << (commit.empty() ? "" : " (") << commit
+              << (commit.empty() ? "\n" : ")\n");
     return done;
   }
   for (const Command* command : commands) {

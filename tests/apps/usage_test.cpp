@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "program.h"
 
 namespace {
@@ -26,7 +28,10 @@ TEST_F(Usage, ShowsUnitsAndDefaults) {
   }
 }
 
-TEST_F(Usage, TellsItsVersion) { EXPECT_EQ(succeed("--version").out, "trivalent 0.1.0\n"); }
+TEST_F(Usage, TellsItsVersionAndItsCommit) {
+  const std::regex version(R"(trivalent 0\.1\.0( \([0-9a-f]{10,40}(-dirty)?\))?\n)");
+  EXPECT_TRUE(std::regex_match(succeed("--version").out, version));
+}
 
 TEST_F(Usage, EndsWithTwoOnACommandLineThatMakesNoSense) {
   expect_failure(2, "no command", "");
