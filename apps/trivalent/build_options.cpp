@@ -5,12 +5,22 @@
 #include "remesh_options.h"
 #include "repair_options.h"
 #include "size_options.h"
+#include "trivalent/formats/structure_format.h"
 
 namespace trivalent::apps {
 namespace {
 
 constexpr shell::Names<shell::EdgeCap, 2> caps = {
     {{"none", shell::EdgeCap::none}, {"hydrogen", shell::EdgeCap::hydrogen}}};
+
+std::vector<std::string> formats(const Session& session) {
+  const auto names = session.find<std::vector<std::string>>("format");
+  for (const std::string& name : names.value_or(std::vector<std::string>{})) {
+    const dual::StructureFormat& format = dual::structure_format(name);
+    if (format.write == nullptr) throw UsageError("--format: " + name + " can only be read");
+  }
+  return names.value_or(std::vector<std::string>{});
+}
 
 }  // namespace
 
@@ -30,6 +40,8 @@ Grammar grammar_of_build() {
       ("no-relax", "leave the atoms where the dual puts them")        //
       ("dry-run", "only tell what would be built, and whether it can be");
   add_file_options(files);
+  files.add_options()("format", po::value<std::vector<std::string>>(),
+                      "write the shell in this format of atoms too; may be given again");
   grammar.options.add(repair).add(remeshing).add(files);
   grammar.epilog =
       "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input) or a\n"
@@ -49,7 +61,9 @@ BuildRequest build_request(const Session& session) {
                     .cap = named_value(session, "cap", caps),
                     .relaxation = session.has("no-relax") ? shell::Relaxation::none
                                                           : shell::Relaxation::rebo},
-          .files = {.digits = digits(session), .atom_style = atom_style(session)}};
+          .files = {.digits = digits(session),
+                    .atom_style = atom_style(session),
+                    .formats = formats(session)}};
 }
 
 }  // namespace trivalent::apps

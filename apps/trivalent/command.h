@@ -10,6 +10,7 @@ namespace trivalent::apps {
 inline constexpr int done = 0;
 inline constexpr int failed = 1;
 inline constexpr int wrong_usage = 2;
+inline constexpr int not_at_rest = 3;  // relax: the result is written
 
 /// One subcommand of the program.
 struct Command {

@@ -7,15 +7,12 @@
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/dual/padded_box.h"
-#include "trivalent/formats/lammps_data.h"
-#include "trivalent/formats/xyz.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
 
 namespace trivalent::apps {
 namespace {
-
-constexpr std::array<std::string_view, 3> network_extensions = {".extxyz", ".xyz", ".data"};
 
 Grammar grammar_of_dual() {
   Grammar grammar = {.arguments = {"MESH", "OUT"}, .options = po::options_description("Options")};
@@ -32,29 +29,20 @@ dual::Structure structure_of(const remesh::TriMesh& mesh) {
   return structure;
 }
 
-void write_structure(const std::filesystem::path& output, const dual::Structure& structure,
-                     const dual::LammpsDataOptions& options) {
-  if (extension_of(output) == ".data") {
-    dual::write_lammps_data(output, structure, options);
-  } else {
-    dual::write_xyz(output, structure, options.digits);
-  }
-}
-
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
   if (!session) return done;
   const dual::DualSize size = dual_size(*session);
-  const dual::LammpsDataOptions options = {.style = atom_style(*session),
-                                           .digits = digits(*session)};
+  const dual::WriteOptions options = {.digits = digits(*session),
+                                      .atom_style = atom_style(*session)};
   const auto& output = session->get<std::string>("OUT");
-  check_output(output, network_extensions);
+  check_structure_output(output);
 
   remesh::TriMesh mesh = read_mesh_file(session->get<std::string>("MESH"), session->terminal);
   const double scale = dual::scale_for_size(mesh, size);
   remesh::scale(mesh, scale);
   const dual::Structure structure = structure_of(mesh);
-  write_structure(output, structure, options);
+  dual::write_structure(output, structure, options);
 
   const dual::NetworkReport report = dual::check_network(structure);
   Result result = {

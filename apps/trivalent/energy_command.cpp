@@ -8,7 +8,7 @@
 #include "potential_options.h"
 #include "session.h"
 #include "structure_options.h"
-#include "trivalent/formats/xyz.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/shell/evaluate.h"
 #include "trivalent/view/energy_ply.h"
 #include "trivalent/view/vtp.h"
@@ -16,7 +16,7 @@
 namespace trivalent::apps {
 namespace {
 
-constexpr std::array<std::string_view, 4> energy_extensions = {".extxyz", ".xyz", ".ply", ".vtp"};
+constexpr std::array<std::string_view, 2> picture_extensions = {".ply", ".vtp"};
 
 Grammar grammar_of_energy() {
   Grammar grammar = {.arguments = {"FILE"}, .options = po::options_description("Options")};
@@ -25,7 +25,8 @@ Grammar grammar_of_energy() {
   grammar.options.add_options()                    //
       ("forces", "report forces, and write them")  //
       ("output,o", po::value<std::string>(),
-       "write energies per atom: .extxyz; .ply with colors; .vtp with all scalars")  //
+       "write energies per atom: .extxyz or another format of atoms; .ply with colors; .vtp with "
+       "all scalars")  //
       ("worst", with_default(5), "how many atoms of highest energy to list, >= 0");
   add_digits_option(grammar.options);
   add_structure_options(grammar.options);
@@ -50,7 +51,7 @@ void write_result(const std::filesystem::path& output, const shell::Evaluation& 
     dual::write_energy_ply(output, result.state.structure, result.energy.energies,
                            {.scale = result.state.find("energy")->scale});
   } else {
-    dual::write_xyz(output, result.structure(), precision);
+    dual::write_structure(output, result.structure(), {.digits = precision});
   }
 }
 
@@ -59,7 +60,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session) return done;
   const dual::Digits precision = digits(*session);
   const auto output = session->find<std::string>("output");
-  if (output) check_output(*output, energy_extensions);
+  if (output) check_structure_output(*output, picture_extensions);
   const shell::EvaluateOptions options = evaluate_options(*session);
   const auto& file = session->get<std::string>("FILE");
   const shell::Evaluation result = shell::evaluate(

@@ -6,11 +6,13 @@
 #include <sstream>
 
 #include "session.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::apps {
+
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -18,13 +20,9 @@ std::string extension_of(const std::filesystem::path& path) {
   return extension == ".gz" ? extension_of(path.stem()) : extension;
 }
 
-void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions) {
-  const std::string extension = path.extension().string();
-  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
-    std::string known;
-    for (const auto& each : extensions) known += (known.empty() ? "" : ", ") + std::string(each);
-    throw UsageError("cannot write '" + path.string() + "': its extension must be one of " + known);
-  }
+namespace {
+
+void check_place(const std::filesystem::path& path) {
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
@@ -34,6 +32,31 @@ void check_output(const std::filesystem::path& path, std::span<const std::string
   if (std::filesystem::is_directory(path, error)) {
     throw remesh::FileError("cannot write " + path.string() + ": it is a folder");
   }
+}
+
+}  // namespace
+
+void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions) {
+  const std::string extension = path.extension().string();
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
+    std::string known;
+    for (const auto& each : extensions) known += (known.empty() ? "" : ", ") + std::string(each);
+    throw UsageError("cannot write '" + path.string() + "': its extension must be one of " + known);
+  }
+  check_place(path);
+}
+
+void check_structure_output(const std::filesystem::path& path,
+                            std::span<const std::string_view> further) {
+  const dual::StructureFormat* format = dual::find_structure_format(path);
+  if (format != nullptr && format->write != nullptr) {
+    check_place(path);
+    return;
+  }
+  const std::vector<std::string> known = dual::structure_extensions();
+  std::vector<std::string_view> all(known.begin(), known.end());
+  all.insert(all.end(), further.begin(), further.end());
+  check_output(path, all);
 }
 
 void check_folder(const std::filesystem::path& folder) {

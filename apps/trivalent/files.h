@@ -24,6 +24,12 @@ inline constexpr std::array<std::string_view, 4> mesh_extensions = {".off", ".ob
 /// @throws remesh::FileError if its folder does not exist or it is a folder itself.
 void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions);
 
+/// The same for a file of atoms: any of dual::structure_formats(), or one of further extensions.
+///
+/// @throws as check_output.
+void check_structure_output(const std::filesystem::path& path,
+                            std::span<const std::string_view> further = {});
+
 /// Refuses, before any work, a folder that could not be made or filled afterwards.
 ///
 /// @throws remesh::FileError if something else is called so or it is not writable.

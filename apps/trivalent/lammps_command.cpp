@@ -7,11 +7,16 @@
 #include "session.h"
 #include "structure_options.h"
 #include "trivalent/formats/lammps_package.h"
+#include "trivalent/potentials/bonds.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/shell/number_text.h"
+#include "trivalent/shell/relax_report.h"
 
 namespace trivalent::apps {
 namespace {
+
+// Since --atom-style is the one of the files that are written.
+const std::string input_style = "input-atom-style";
 
 Grammar grammar_of_lammps() {
   Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
@@ -24,7 +29,7 @@ Grammar grammar_of_lammps() {
        "write data of more atoms in parts, >= 1")  //
       ("potential-file", po::value<std::string>(), "CH.rebo; default: LAMMPS finds it");
   add_file_options(grammar.options);
-  add_structure_options(grammar.options);
+  add_structure_options(grammar.options, input_style);
   return grammar;
 }
 
@@ -42,31 +47,52 @@ dual::LammpsPackageOptions package_options(const Session& session) {
           .atoms_per_file = session.get<std::size_t>("atoms-per-file")};
 }
 
+/// Molecular data need bonds; those that the file does not tell are found by distance.
+void find_bonds(dual::Structure& structure, const Terminal& terminal) {
+  if (!structure.bonds.empty()) return;
+  potentials::GuessedBonds guess = potentials::guess_bonds(structure.atoms);
+  terminal.note(shell::guess_note(guess));
+  structure.bonds = std::move(guess.bonds);
+}
+
+Result result_of(const std::filesystem::path& folder, std::size_t n_atoms, double energy,
+                 const dual::LammpsPackage& package) {
+  std::string list;
+  for (const std::string& name : package.files) list += (list.empty() ? "" : ", ") + name;
+  Result result = {.table = {{"atoms", std::to_string(n_atoms)},
+                             {"energy", shell::decimals(energy, 8) + " eV"},
+                             {"folder", folder.string()},
+                             {"files", list}},
+                   .json = {{"atoms", n_atoms},
+                            {"energy", energy},
+                            {"folder", folder.string()},
+                            {"files", package.files}}};
+  const Eigen::Matrix3d& r = package.rotation;
+  result.json["rotation"] = {
+      {r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}};
+  if (!r.isIdentity(0.0)) {
+    result.table.push_back({"rotated", "to the box that LAMMPS takes; README.md says how"});
+  }
+  result.table.push_back({"next", "cd " + folder.string() + " && lmp -in in.check"});
+  return result;
+}
+
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_lammps());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which folder the files go");
-  const shell::StructureOptions reading = structure_options(*session);
+  const shell::StructureOptions reading = structure_options(*session, input_style);
   const dual::LammpsPackageOptions options = package_options(*session);
   const std::filesystem::path folder = session->get<std::string>("output");
   check_folder(folder);
 
-  const dual::Structure structure =
+  dual::Structure structure =
       read_structure(session->get<std::string>("NETWORK"), reading, session->terminal);
+  if (options.data.style == dual::AtomStyle::molecular) find_bonds(structure, session->terminal);
   const double energy = potentials::rebo(structure.atoms).energy;
   const OutputFolder made(folder);
-  const auto names = dual::write_lammps_package(folder, structure, energy, options);
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  session->terminal.print({.table = {{"atoms", std::to_string(structure.atoms.size())},
-                                     {"energy", shell::decimals(energy, 8) + " eV"},
-                                     {"folder", folder.string()},
-                                     {"files", list},
-                                     {"next", "cd " + folder.string() + " && lmp -in in.check"}},
-                           .json = {{"atoms", structure.atoms.size()},
-                                    {"energy", energy},
-                                    {"folder", folder.string()},
-                                    {"files", names}}});
+  const auto package = dual::write_lammps_package(folder, structure, energy, options);
+  session->terminal.print(result_of(folder, structure.atoms.size(), energy, package));
   return done;
 }
 

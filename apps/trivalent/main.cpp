@@ -28,7 +28,8 @@ int print_help() {
   }
   std::cout
       << "\nEvery command explains itself with --help; trivalent --version tells the version.\n"
-      << "Exit codes: 0 done, 1 failed, 2 wrong usage; inspect: 0 sound, 1 mendable, 3 hopeless.\n";
+      << "Exit codes: 0 done, 1 failed, 2 wrong usage; inspect: 0 sound, 1 mendable, 3 hopeless;\n"
+         "relax: 3 not at rest.\n";
   return done;
 }
 

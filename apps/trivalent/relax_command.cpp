@@ -9,7 +9,7 @@
 #include "relax_options.h"
 #include "session.h"
 #include "structure_options.h"
-#include "trivalent/formats/xyz.h"
+#include "trivalent/formats/structure_format.h"
 
 namespace trivalent::apps {
 namespace {
@@ -19,7 +19,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which file the result goes");
   const auto& output = session->get<std::string>("output");
-  check_output(output, relax_extensions);
+  check_structure_output(output);
   const dual::Digits precision = digits(*session);
   shell::RelaxOptions options = relax_options(*session);
   const auto& network = session->get<std::string>("NETWORK");
@@ -34,7 +34,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
     return !stop->is_made();
   };
   const shell::RelaxedStructure result = shell::relax(std::move(structure), options);
-  dual::write_xyz(output, result.structure, precision);
+  dual::write_structure(output, result.structure, {.digits = precision});
   const int exit_code = stop ? stop->exit_code() : done;
   // A run that was stopped can be taken up again.
   if (exit_code == done && options.checkpoint) std::filesystem::remove(*options.checkpoint);
@@ -42,7 +42,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   Result printed = {.table = result.rows(), .json = {{"network", network}}};
   printed.json.update(result.json());
   session->terminal.print(printed);
-  return exit_code;
+  return exit_code == done && !result.relaxed.converged ? not_at_rest : exit_code;
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 namespace trivalent::apps {
 namespace {
 
+constexpr std::array<std::string_view, 2> trajectory_extensions = {".extxyz", ".xyz"};
+
 constexpr shell::Names<potentials::Minimizer, 2> minimizers = {
     {{"lbfgs", potentials::Minimizer::lbfgs}, {"fire", potentials::Minimizer::fire}}};
 
@@ -48,7 +50,7 @@ std::optional<shell::TrajectoryOptions> trajectory(const Session& session) {
   if (every < 1) throw UsageError("--every must be at least 1");
   const auto path = session.find<std::string>("trajectory");
   if (!path) return std::nullopt;
-  check_output(*path, relax_extensions);
+  check_output(*path, trajectory_extensions);
   return shell::TrajectoryOptions{.path = *path, .every = every};
 }
 
@@ -57,7 +59,9 @@ std::optional<shell::TrajectoryOptions> trajectory(const Session& session) {
 Grammar grammar_of_relax() {
   Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
   grammar.options.add_options()  //
-      ("output,o", po::value<std::string>(), "the relaxed atoms, .extxyz; must be given");
+      ("output,o", po::value<std::string>(),
+       "the relaxed atoms, .extxyz or another format of atoms; must "
+       "be given");
   const shell::RelaxOptions defaults;
   grammar.options.add_options()  //
       ("max-force", with_default(defaults.max_force),
@@ -83,9 +87,12 @@ Grammar grammar_of_relax() {
   add_digits_option(grammar.options);
   add_structure_options(grammar.options);
   grammar.epilog =
-      "NETWORK is extended XYZ, LAMMPS data, or a mesh, whose dual is meant. A mesh and molecular\n"
-      "LAMMPS data say which atoms are bonded: these bonds are kept. Otherwise bonds are guessed\n"
-      "from distances (C-C below 1.85 Å, C-H 1.55 Å, H-H 1.4 Å) and may break and form.\n";
+      "NETWORK is extended XYZ, LAMMPS data, or a mesh, whose dual is meant. A mesh, molecular\n"
+      "LAMMPS data and extended XYZ with the column bonded_atoms, as trivalent writes it, say "
+      "which\n"
+      "atoms are bonded: these bonds are kept. Otherwise bonds are guessed from distances (C-C\n"
+      "below 1.85 Å, C-H 1.55 Å, H-H 1.4 Å) and may break and form. Exit code 3: the result is\n"
+      "written, but its atoms are not at rest.\n";
   return grammar;
 }
 

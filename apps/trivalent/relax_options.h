@@ -1,15 +1,9 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-
 #include "session.h"
 #include "trivalent/shell/relax.h"
 
 namespace trivalent::apps {
-
-/// What relax can write.
-inline constexpr std::array<std::string_view, 2> relax_extensions = {".extxyz", ".xyz"};
 
 [[nodiscard]] Grammar grammar_of_relax();
 

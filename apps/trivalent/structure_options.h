@@ -7,11 +7,16 @@
 
 namespace trivalent::apps {
 
-/// --periodic, and --length, --scale and --bond for the dual of a mesh.
-void add_structure_options(po::options_description& options);
+/// How to read atoms: --periodic, --format, --elements, --frame and the atom_style of LAMMPS data;
+/// and --length, --scale and --bond for the dual of a mesh.
+///
+/// @param style_option  another name where --atom-style is what the command writes
+void add_structure_options(po::options_description& options,
+                           const std::string& style_option = "atom-style");
 
 /// @throws UsageError if the options make no sense.
-[[nodiscard]] shell::StructureOptions structure_options(const Session& session);
+[[nodiscard]] shell::StructureOptions structure_options(
+    const Session& session, const std::string& style_option = "atom-style");
 
 /// Reads a structure and tells the terminal what was left out or assumed.
 [[nodiscard]] dual::Structure read_structure(const std::string& path,

@@ -37,6 +37,57 @@ TEST_F(EnergyCommand, WritesEnergiesAndForces) {
   EXPECT_EQ(content("again.extxyz").find("forces"), std::string::npos);
 }
 
+TEST_F(EnergyCommand, ReadsAtomsWhoseFormatIsNamed) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("dual s.off s.extxyz --digits 17");
+  succeed("dual s.off data.sphere --digits 17");
+  const double energy = succeed("energy s.extxyz --json").json()["energy"];
+  const double tolerance = 1e-9 * std::abs(energy);
+  EXPECT_NEAR(succeed("energy data.sphere --json").json()["energy"], energy, tolerance);
+  write("plain", content("s.extxyz"));
+  EXPECT_NEAR(succeed("energy plain --format extxyz --json").json()["energy"], energy, tolerance);
+  const Outcome piped =
+      shell("cat s.extxyz | " TRIVALENT_PROGRAM " energy - --format extxyz --json");
+  ASSERT_EQ(piped.exit_code, 0) << piped.err;
+  EXPECT_NEAR(piped.json()["energy"], energy, tolerance);
+  expect_failure(2, "--format does", "energy -");
+  expect_failure(2, "known are extxyz, lammps-data", "energy plain --format pdb");
+  expect_failure(2, "mean nothing for a mesh", "energy s.off --frame 2");
+}
+
+TEST_F(EnergyCommand, TakesElementsAndStylesFromTheCommandLine) {
+  write("types.xyz", "2\nAtoms. Timestep: 0\n2 0 0 0\n1 0 0 1.1\n");
+  expect_failure(1, "--elements", "energy types.xyz");
+  EXPECT_EQ(succeed("energy types.xyz --elements H C --json").json()["energy"],
+            succeed("energy types.xyz --json --elements H,C").json()["energy"]);
+  expect_failure(2, "'Si' is not C or H", "energy types.xyz --elements H Si");
+  write("open.data",
+        "t\n\n2 atoms\n2 atom types\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nMasses\n\n1 12.011\n"
+        "2 1.008\n\nAtoms\n\n1 1 2 4 4 4\n2 2 1 4 4 5.1\n");
+  expect_failure(1, "line 16: atom_style may be molecular or charge", "energy open.data");
+  succeed("energy open.data --atom-style charge");
+  expect_failure(2, "--atom-style is", "energy open.data --atom-style sphere");
+}
+
+TEST_F(EnergyCommand, ReadsTheLastOrTheNamedStructure) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("relax s.off -o relaxed.extxyz --trajectory way.extxyz --every 1 --digits 17");
+  const Outcome last = succeed("energy way.extxyz --json");
+  EXPECT_NE(last.err.find("the last is read"), std::string::npos);
+  const double first = succeed("energy way.extxyz --frame 1 --json").json()["energy"];
+  EXPECT_LT(last.json()["energy"].get<double>(), first);
+}
+
+TEST_F(EnergyCommand, KeepsOnlyBondsThatAreKnown) {
+  succeed("shape sphere s.off --edge 0.3");
+  succeed("energy s.off -o known.extxyz");
+  EXPECT_NE(content("known.extxyz").find("bonded_atoms:I:3"), std::string::npos);
+  write("c2.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
+  const auto found = succeed("energy c2.xyz -o found.extxyz --json").json();
+  EXPECT_EQ(found["bonds_from"], "distance");
+  EXPECT_EQ(content("found.extxyz").find("bonded_atoms"), std::string::npos);
+}
+
 TEST_F(EnergyCommand, WritesAnEnergyMap) {
   succeed("shape sphere s.off --edge 0.3");
   succeed("energy s.off -o map.ply");

@@ -26,6 +26,16 @@ TEST_F(LammpsCommand, RefusesWhatMakesNoSense) {
   expect_failure(1, "missing.xyz", "lammps missing.xyz -o out");
 }
 
+TEST_F(LammpsCommand, FindsTheBondsThatMolecularDataNeed) {
+  write("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
+  const Outcome run = succeed("lammps two.xyz -o out --atom-style molecular --angles");
+  EXPECT_NE(run.err.find("1 are guessed"), std::string::npos) << run.err;
+  EXPECT_NE(content("out/shell.data").find("1 bonds"), std::string::npos);
+  write("apart.xyz", "2\n\nC 0 0 0\nC 9 0 0\n");
+  expect_failure(2, "needs bonds", "lammps apart.xyz -o nothing --atom-style molecular");
+  EXPECT_FALSE(has("nothing"));
+}
+
 #ifdef TRIVALENT_LMP
 // A sheet with an adsorbed hydrogen, periodic along x and y.
 std::string hydrogenated_graphene() {

@@ -53,9 +53,20 @@ TEST_F(RelaxCommand, ClaimsTheForceThatEnergyFinds) {
 
 TEST_F(RelaxCommand, SaysWhenItDidNotConverge) {
   succeed("shape sphere s.off --edge 0.3");
-  const auto run = succeed("relax s.off -o out.extxyz --max-steps 3 --json");
+  const auto run = trivalent("relax s.off -o out.extxyz --max-steps 3 --json");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_TRUE(has("out.extxyz"));
   EXPECT_FALSE(run.json()["relaxation"]["converged"].get<bool>());
   EXPECT_NE(run.err.find("did not converge"), std::string::npos);
+}
+
+TEST_F(RelaxCommand, GivesTheSameForAMeshAndItsDualInAFile) {
+  succeed("shape torus s.off --edge 0.25");
+  succeed("dual s.off raw.extxyz --digits 17");
+  const auto mesh = succeed("relax s.off -o a.extxyz --digits 17 --json").json();
+  const auto file = succeed("relax raw.extxyz -o b.extxyz --digits 17 --json").json();
+  EXPECT_EQ(mesh["energy"], file["energy"]);
+  EXPECT_EQ(content("a.extxyz"), content("b.extxyz"));
 }
 
 TEST_F(RelaxCommand, GoesOnAfterBeingKilled) {

@@ -51,7 +51,11 @@ SEEDS = {
             'type="Int64" Name="connectivity" format="appended" offset="0"/><DataArray Name="offsets" format="appended" offset="8"/>'
             '</Strips></Piece></PolyData><AppendedData encoding="raw">_\0\0\0\0\4\0\0\0\1\0\0\0</AppendedData></VTKFile>'],
     'xyz': ['2\n0 0 0 0 0 1\n1 0 0 0 0 1 # last\n'],
-    'atoms': ['2\nenergy=1 pbc="F F F"\nC 0 0 0\nH 0 0 1.1\n'],
+    'atoms': ['2\nenergy=1 pbc="F F F"\nC 0 0 0\nH 0 0 1.1\n',
+              '2\nlattice = [[2, 0, 0], [0, 3d0, 0], [0, 0, 4]] pbc=[T, true, F] "key"={1 2} d="_JSON {\\"a\\": 1}" Properties='
+              'Z:I:1:pos:R:3:bonded_atoms:I:1:bonded_images:I:3\n6 0 0 0 1 0 0 0\n1 0 0 1 0 0 0 0\n',
+              'c\n\n2 atoms\n1 bonds\n1 atom types\n2 0 0 avec\n0 2 0 bvec\n0 0 2 cvec\n1 1 1 abc origin\n\nAtom Type Labels\n\n1 C\n'
+              '\nMasses\n\nC 12.011 # C\n\nAtoms # full\n\n1 1 C 0 0 0 0 1 0 0\n3 1 1 0 1 1 1 0 0 0\n\nBonds\n\n1 C-C 1 3\n'],
     'options': ['sphere:radius=2\n--method\npaper\n--rings\n1\n--sigma=0.4\n', '--method\ncrystal\n-\n--effort=quick\n--seed=3\n--json\n',
                 'a.off\n--method\npaper\n--restriction\nleast-squares\n--iterations\n3\n--feature-angle\n40\n--quiet\n'],
     'repair': ['\1\0\2\6\0\2\7\2\6\0', '\0' + ''.join(chr(k) for k in range(54))],

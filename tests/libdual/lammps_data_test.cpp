@@ -143,9 +143,75 @@ TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
   }
 }
 
+TEST(ReadLammpsData, ReadsGeneralTriclinicBoxes) {
+  const Structure data = read_back(
+      "title\n1 atoms\n1 atom types\n0 2 0 avec\n-3 0 0 bvec\n0 1 4 cvec\n5 6 7 abc origin\n" +
+      masses + "\nAtoms # atomic\n\n1 1 5 6 7\n");
+  EXPECT_EQ(data.atoms.box.cell.col(0), Eigen::Vector3d(0, 2, 0));
+  EXPECT_EQ(data.atoms.box.cell.col(1), Eigen::Vector3d(-3, 0, 0));
+  EXPECT_EQ(data.atoms.box.cell.col(2), Eigen::Vector3d(0, 1, 4));
+  EXPECT_EQ(data.atoms.box.origin, Eigen::Vector3d(5, 6, 7));
+}
+
+TEST(ReadLammpsData, ReadsTypeLabels) {
+  const std::string labels = "\nAtom Type Labels\n\n1 carbon_a\n";
+  const Structure data = read_back(header + labels +
+                                   "\nMasses\n\ncarbon_a 12.011\n\nPair Coeffs\n\ncarbon_a 1 2\n"
+                                   "\nAtoms # atomic\n\n1 carbon_a 0 0 0\n2 1 1 2 3\n");
+  EXPECT_EQ(data.atoms.species, (std::vector<Species>{Species::carbon, Species::carbon}));
+  const Structure by_label =
+      read_back(header + "\nAtom Type Labels\n\n1 H\n\nAtoms\n\n1 H 0 0 0\n2 H 0 0 1\n");
+  EXPECT_EQ(by_label.atoms.species[1], Species::hydrogen);
+}
+
+TEST(ReadLammpsData, ReadsStylesThatHaveTheColumnsOfOthers) {
+  for (const std::string style : {"bond", "angle", "molecular"}) {
+    EXPECT_EQ(read_back(header + masses + "\nAtoms # " + style + "\n\n1 9 1 0 0 0\n2 9 1 1 2 3\n")
+                  .atoms.size(),
+              2u);
+  }
+}
+
+TEST(ReadLammpsData, TellsChargeFromMolecularByTheTypes) {
+  // The third field is no type: charge. The second is none: molecular.
+  for (const std::string rows : {"1 1 0 0 0 0\n2 1 0 1 2 3\n", "1 7 1 0 0 0\n2 7 1 1 2 3\n",
+                                 "1 1 -0.25 0 0 0\n2 1 0.25 1 2 3\n"}) {
+    const Structure data = read_back(header + masses + "\nAtoms\n\n" + rows);
+    EXPECT_EQ(data.atoms.positions[1], Eigen::Vector3d(1, 2, 3)) << rows;
+  }
+  const TemporaryFolder folder;
+  const auto path = folder.file("open.data",
+                                "title\n1 atoms\n2 atom types\n\nMasses\n\n1 12.011\n2 1.008\n\n"
+                                "Atoms\n\n1 1 2 0 0 0\n");
+  EXPECT_EQ(read_lammps_data(path, {.atom_style = AtomStyle::charge}).structure.atoms.species[0],
+            Species::carbon);
+  EXPECT_EQ(read_lammps_data(path, {.atom_style = AtomStyle::molecular}).structure.atoms.species[0],
+            Species::hydrogen);
+}
+
+TEST(ReadLammpsData, TakesElementsFromTheCallerOrNotesItsGuess) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("a.data", header + "\nAtoms\n\n1 1 0 0 0\n2 1 1 2 3\n");
+  const auto [guessed, notes] = read_lammps_data(path);
+  EXPECT_EQ(guessed.atoms.species[0], Species::carbon);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("type 1 has no mass; it is taken as C"), std::string::npos);
+  const auto [told, no_notes] = read_lammps_data(path, {.elements = {Species::hydrogen}});
+  EXPECT_EQ(told.atoms.species[0], Species::hydrogen);
+  EXPECT_TRUE(no_notes.empty());
+}
+
+TEST(ReadLammpsData, LeavesOutBondsWhoseImagesAreOpen) {
+  const auto [data, notes] =
+      file_of("title\n2 bonds\n" + header.substr(6) + masses +
+              "\nAtoms # molecular\n\n1 1 1 0 0 0\n2 1 1 2.5 0 0\n\nBonds\n\n1 1 1 2\n2 1 2 1\n");
+  EXPECT_TRUE(data.bonds.empty());
+  EXPECT_EQ(notes.size(), 1u);
+}
+
 TEST(ReadLammpsData, RenumbersIdsWithGaps) {
   const auto [data, notes] =
-      file_of("title\n2 atoms\n1 atom types\n1 bonds\n" + masses +
+      file_of("title\n1 bonds\n" + header.substr(6) + masses +
               "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
   ASSERT_EQ(data.bonds.size(), 1u);
   EXPECT_EQ(data.bonds[0].first, 1u);
@@ -182,15 +248,34 @@ TEST(ReadLammpsData, NamesTheLineOfEveryFault) {
       {header + masses + atoms + "2 1 1 1 nan\n", "line 16"},
       {header + masses + atoms + "2 1 1 1\n", "line 16"},
       {header + masses + atoms + "0 1 1 1 1\n", "line 16"},
-      {header + masses + atoms + "2 2 1 1 1\n", "line 16: atom 2 is of type 2"},
+      {header + masses + atoms + "2 2 1 1 1\n", "line 16: atom 2 is of type '2'"},
       {header + masses + "\nAtoms # sphere\n\n", "atom_style 'sphere'"},
       {header + "\nMasses\n\n1 15.999\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
       {header + "\nMasses\n\n2 12.011\n" + atoms, "line 11"},
-      {header + atoms + "2 1 1 1 1\n", "no mass of C or H"},
+      {"title\n2 atoms\n2 atom types\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
       {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\n", "no section Bonds"},
       {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\nBonds\n\n1 1 1 3\n",
        "names atom 3"},
-      {header + masses + atoms + "2 1 1 1 1\n" + atoms, "second section Atoms"}};
+      {header + masses + atoms + "2 1 1 1 1\n" + atoms, "second section Atoms"},
+      {header + "5 walls\n" + masses + atoms, "line 8: line of the header"},
+      {header + "0 5 xlo xhi\n" + masses + atoms, "second line xlo xhi"},
+      {header + "1 0 0 avec\n" + masses + atoms, "both avec"},
+      {header + "0 0 0 abc origin\n" + masses + atoms, "abc origin goes with"},
+      {"title\n1 atoms\n1 atom types\n1 0 0 avec\n0 1 0 bvec\n0 0 -1 cvec\n" + masses + atoms,
+       "not right-handed"},
+      {"title\n1 atoms\n1 atom types\n1 0 0 avec\n" + masses + atoms, "lacks one of avec"},
+      {"title\n1 ellipsoids\n" + header.substr(6) + masses + atoms, "ellipsoids"},
+      {header + "\nMasses\n\n1 12.011 # H\n" + atoms + "2 1 1 1 1\n", "line 11: the mass"},
+      {header + "\nAtom Type Labels\n\n1 H\n" + masses + atoms + "2 1 1 1 1\n", "the mass"},
+      {header + "\nMasses\n\n1 0\n" + atoms, "mass must be > 0"},
+      {"LAMMPS data file via write_data, timestep = 0, units = lj\n" + header.substr(6) + masses +
+           atoms + "2 1 1 1 1\n",
+       "line 1: the file is in units lj"},
+      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\nBonds\n\n1 1 2 2\n",
+       "joins atom 2 to itself"},
+      {"title\n2 atoms\n2 atom types\n\nMasses\n\n1 12.011\n2 1.008\n\nAtoms\n\n1 1 2 0 0 0\n"
+       "2 2 1 1 1 1\n",
+       "line 12: atom_style may be molecular or charge"}};
   for (const auto& [text, part] : cases) {
     EXPECT_NE(complaint_about(text).find(part), std::string::npos)
         << text << "\n-> " << complaint_about(text);

@@ -23,7 +23,7 @@ Structure c20() {
 
 TEST(LammpsPackage, WritesEveryFileItNames) {
   const TemporaryFolder folder;
-  const auto names = write_lammps_package(folder.path(), c20(), -1.0);
+  const auto names = write_lammps_package(folder.path(), c20(), -1.0).files;
   EXPECT_EQ(names,
             (std::vector<std::string>{"shell.data", "in.check", "in.relax", "in.md", "README.md"}));
   for (const std::string& name : names) {
@@ -35,7 +35,7 @@ TEST(LammpsPackage, CompressedDataIsTheSameData) {
   const TemporaryFolder folder;
   const Structure data = c20();
   const auto names =
-      write_lammps_package(folder.path(), data, -1.0, {.compression = Compression::gzip});
+      write_lammps_package(folder.path(), data, -1.0, {.compression = Compression::gzip}).files;
   ASSERT_EQ(names.front(), "shell.data.gz");
   EXPECT_EQ(content_of(folder.path() / names.front()).substr(0, 2), "\x1f\x8b");
   const Structure back = read_lammps_data(folder.path() / names.front()).structure;
@@ -71,6 +71,23 @@ TEST(LammpsPackage, WritesThreeAnglesAtEveryAtom) {
   EXPECT_EQ(middles, std::vector<int>(20, 3));
 }
 
+TEST(LammpsPackage, SaysHowAtomsWereRotated) {
+  const TemporaryFolder folder;
+  Structure data = c20();
+  data.atoms.box.cell.setZero();
+  data.atoms.box.cell.col(2) = Eigen::Vector3d(30, 0, 0);
+  data.atoms.box.periodic = {false, false, true};
+  const LammpsPackage package = write_lammps_package(folder.path(), data, -1.0);
+  EXPECT_NEAR((package.rotation * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitZ()).norm(), 0.0,
+              1e-14);
+  EXPECT_NE(content_of(folder.path() / "README.md").find("rotated"), std::string::npos);
+  const Structure back = read_lammps_data(folder.path() / "shell.data").structure;
+  for (std::size_t i = 0; i < data.atoms.size(); ++i) {
+    const Eigen::Vector3d there = package.rotation * data.atoms.positions[i];
+    EXPECT_LT((back.atoms.positions[i] - there).norm(), 1e-9);
+  }
+}
+
 TEST(LammpsPackage, ThrowsOnWhatCannotBeWritten) {
   const TemporaryFolder folder;
   const LammpsDataOptions molecular = {.style = AtomStyle::molecular};
@@ -79,12 +96,15 @@ TEST(LammpsPackage, ThrowsOnWhatCannotBeWritten) {
   EXPECT_THROW(
       write_lammps_package(folder.path(), c20(), -1.0, {.data = molecular, .atoms_per_file = 7}),
       InvalidOption);
+  Structure bare = c20();
+  bare.bonds.clear();
+  EXPECT_THROW(write_lammps_package(folder.path(), bare, -1.0, {.data = molecular}), InvalidOption);
   EXPECT_THROW(write_lammps_package("/nonexistent/folder", c20(), -1.0), FileError);
 }
 
 TEST(LammpsPackage, ThrowsBeyondTheIdsOfLammps) {
-  EXPECT_NO_THROW(require_lammps_ids(most_lammps_atoms));
-  EXPECT_THROW(require_lammps_ids(most_lammps_atoms + 1), InvalidNetwork);
+  EXPECT_NO_THROW(require_lammps_ids(max_lammps_atoms));
+  EXPECT_THROW(require_lammps_ids(max_lammps_atoms + 1), InvalidNetwork);
 }
 
 }  // namespace

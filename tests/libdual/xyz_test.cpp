@@ -3,14 +3,17 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
 #include "small_meshes.h"
 #include "temporary_folder.h"
+#include "trivalent/dual/bonding.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/padded_box.h"
+#include "trivalent/potentials/bonds.h"
 
 namespace trivalent::dual {
 namespace {
@@ -42,6 +45,18 @@ std::string text_of(const Structure& frame, Digits digits = Digits::ten_decimals
 StructureFile file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_xyz(folder.file("atoms.extxyz", text));
+}
+
+/// Bonds with their atoms and the bonds in order, to be compared.
+std::vector<std::array<std::int64_t, 5>> sorted(const std::vector<potentials::Bond>& bonds) {
+  std::vector<std::array<std::int64_t, 5>> entries;
+  for (const auto& [first, second, image] : bonds) {
+    const std::array<std::int64_t, 5> there = {first, second, image[0], image[1], image[2]};
+    const std::array<std::int64_t, 5> back = {second, first, -image[0], -image[1], -image[2]};
+    entries.push_back(std::min(there, back));
+  }
+  std::ranges::sort(entries);
+  return entries;
 }
 
 Structure read_back(const std::string& text) { return file_of(text).structure; }
@@ -137,6 +152,20 @@ TEST(WriteXyz, ThrowsWhereNoFileCanBe) {
   EXPECT_THROW(write_xyz("/nonexistent/folder/a.extxyz", two_atoms()), FileError);
 }
 
+TEST(AddEnergies, RemovesTheResultsOfFormerCalculations) {
+  Structure frame = read_back(
+      "1\nProperties=species:S:1:pos:R:3:forces:R:3:charge:R:1:magmoms:R:1:tag:I:1 energy=-1 "
+      "free_energy=-2 stress=[1, 0, 0, 0, 1, 0, 0, 0, 1] virial=\"1 0 0 0 1 0 0 0 1\" "
+      "dipole=[0.1, 0.2, 0.3] config_type=x\nC 0 0 0 1 1 1 2 3 4\n");
+  add_energies(frame, {.energy = -7.0, .energies = {-7.0}, .forces = {{0, 0, 0}}});
+  ASSERT_EQ(frame.header.size(), 2u);
+  EXPECT_EQ(frame.header[0].key, "config_type");
+  EXPECT_EQ(std::get<double>(frame.header[1].value), -7.0);
+  std::vector<std::string> names;
+  for (const Column& column : frame.columns) names.push_back(column.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"tag", "energies", "forces"}));
+}
+
 TEST(NetworkColumns, DescribeAShell) {
   const Structure network = build_dual(testing_support::icosahedron());
   const Structure frame = {.atoms = network.atoms, .columns = network_columns(network)};
@@ -162,12 +191,158 @@ TEST(ReadXyz, TakesALatticeWithoutPbcAsPeriodic) {
 TEST(ReadXyz, NotesWhatItLeavesOut) {
   const auto [frame, notes] = file_of(
       "1\nProperties=id:I:1:species:S:1:pos:R:3:label:S:1:stress:R:9 flag key={1 2}\n"
-      "7 C 0 0 0 abc 1 2 3 4 5 6 7 8 9\n1\n\nC 0 0 0\n");
-  EXPECT_EQ(notes.size(), 3u);
+      "7 C 0 0 0 abc 1 2 3 4 5 6 7 8 9\n");
+  EXPECT_EQ(notes.size(), 2u);
   ASSERT_EQ(frame.columns.size(), 1u);
   EXPECT_EQ(std::get<std::vector<int>>(frame.columns[0].values), std::vector<int>{7});
   ASSERT_EQ(frame.header.size(), 2u);
   EXPECT_EQ(std::get<std::string>(frame.header[1].value), "1 2");
+}
+
+TEST(ReadXyz, ReadsTheLastStructureOrTheOneThatIsNamed) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("three.xyz", "1\n\nC 1 0 0\n1\n\nC 2 0 0\n\n1\n\nC 3 0 0\n\n");
+  const auto [last, notes] = read_xyz(path);
+  EXPECT_EQ(last.atoms.positions[0].x(), 3.0);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("3 structures; the last is read"), std::string::npos);
+  for (const int frame : {1, 2, 3}) {
+    const auto [structure, no_notes] = read_xyz(path, {.frame = frame});
+    EXPECT_EQ(structure.atoms.positions[0].x(), frame);
+    EXPECT_TRUE(no_notes.empty());
+  }
+  const auto message =
+      message_of<FileError>([&] { static_cast<void>(read_xyz(path, {.frame = 4})); });
+  EXPECT_NE(message.find("3 structures; there is no number 4"), std::string::npos) << message;
+}
+
+TEST(ReadXyz, ReadsEverySpellingOfTheHeader) {
+  const std::string properties = "Properties=species:S:1:pos:R:3";
+  const std::string lattice = "Lattice=\"4 0 0 1 5 0 0 0 6\"";
+  const std::string pbc = "pbc=\"T T F\"";
+  const std::vector<std::string> headers = {
+      lattice + ' ' + properties + ' ' + pbc,
+      "lattice=\"4 0 0 1 5 0 0 0 6\" properties=species:S:1:pos:R:3 PBC=\"T T F\"",
+      "Lattice = \"4 0 0 1 5 0 0 0 6\" Properties = species:S:1:pos:R:3 pbc\t=\t\"T T F\"",
+      "Lattice=[[4, 0, 0], [1, 5, 0], [0, 0, 6]] " + properties + " pbc=[T, T, F]",
+      "Lattice=[4,0,0,1,5,0,0,0,6] " + properties + " pbc=[true,True,FALSE]",
+      "Lattice={4 0 0 1 5 0 0 0 6} " + properties + " pbc={1 1 0}",
+      "Lattice='4 0 0 1 5 0 0 0 6' " + properties + " pbc=\"true TRUE false\"",
+      "Lattice=\"4.0D0 0 0 1d0 .5E+1 0 0 0 +6.\" " + properties + ' ' + pbc,
+      "\"Lattice\"=\"4 0 0 1 5 0 0 0 6\" \"Properties\"=species:S:1:pos:R:3 \"pbc\"=\"T T F\"",
+      pbc + "  " + properties + "   " + lattice + "  "};
+  for (const std::string& header : headers) {
+    const Structure frame = read_back("1\n" + header + "\nC 1 2 3.0D0\n");
+    EXPECT_EQ(frame.atoms.box.periodic, (std::array<bool, 3>{true, true, false})) << header;
+    EXPECT_EQ(frame.atoms.box.cell.col(1), Eigen::Vector3d(1, 5, 0)) << header;
+    EXPECT_EQ(frame.atoms.box.cell(2, 2), 6.0) << header;
+    EXPECT_EQ(frame.atoms.positions[0], Eigen::Vector3d(1, 2, 3)) << header;
+    EXPECT_TRUE(frame.header.empty()) << header;
+  }
+}
+
+TEST(ReadXyz, ReadsFilesOfEveryLineEndAndMark) {
+  const std::string rows = "1\nProperties=species:S:1:pos:R:3\nC 1 2 3\n";
+  std::string old = rows;
+  std::ranges::replace(old, '\n', '\r');
+  for (const std::string& text : {rows, "\xEF\xBB\xBF" + rows, old}) {
+    EXPECT_EQ(read_back(text).atoms.positions[0], Eigen::Vector3d(1, 2, 3));
+  }
+}
+
+TEST(ReadXyz, ReadsElementsByEveryName) {
+  for (const std::string properties :
+       {"Z:I:1:pos:R:3", "numbers:I:1:positions:R:3", "Z:I:1:pos:R:3:tag:I:1",
+        "species:S:1:pos:R:3:Z:I:1", "symbols:S:1:pos:R:3", "element:S:1:pos:R:3"}) {
+    const bool has_symbol = properties[0] != 'Z' && properties[0] != 'n';
+    const bool has_more = properties.ends_with("I:1") && properties.size() > 15;
+    std::string text = "2\nProperties=" + properties + '\n';
+    for (const auto& [symbol, number] : {std::pair{"C", "6"}, std::pair{"H", "1"}}) {
+      text += std::string(has_symbol ? symbol : number) + " 0 0 0" +
+              (has_more ? std::string(" ") + number : "") + '\n';
+    }
+    EXPECT_EQ(read_back(text).atoms.species,
+              (std::vector<Species>{Species::carbon, Species::hydrogen}))
+        << properties;
+  }
+}
+
+TEST(ReadXyz, TakesTypesOfLammpsOnlyWithTheirElements) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("dump.xyz", "2\nAtoms. Timestep: 0\n1 0 0 0\n2 0 0 1\n");
+  EXPECT_NE(message_of<FileError>([&] { static_cast<void>(read_xyz(path)); }).find("--elements"),
+            std::string::npos);
+  const auto file = read_xyz(path, {.elements = {Species::hydrogen, Species::carbon}});
+  EXPECT_EQ(file.structure.atoms.species,
+            (std::vector<Species>{Species::hydrogen, Species::carbon}));
+  const auto ones = folder.file("ones.xyz", "1\nAtoms. Timestep: 0\n1 0 0 0\n");
+  EXPECT_NE(message_of<FileError>([&] { static_cast<void>(read_xyz(ones)); }).find("line 3"),
+            std::string::npos);
+}
+
+TEST(Xyz, KeepsTheNetwork) {
+  const Structure network = build_dual(testing_support::icosahedron());
+  const Structure copy = read_back(text_of(network));
+  ASSERT_EQ(copy.bonds.size(), network.bonds.size());
+  EXPECT_EQ(sorted(copy.bonds), sorted(network.bonds));
+}
+
+/// Two atoms of graphene, bonded to three images of each other.
+Structure graphene_cell() {
+  Structure cell;
+  cell.atoms.positions = {{0, 0, 8}, {0, 1.42, 8}};
+  cell.atoms.species = {Species::carbon, Species::carbon};
+  cell.atoms.box.cell.col(0) = Eigen::Vector3d(2.46, 0, 0);
+  cell.atoms.box.cell.col(1) = Eigen::Vector3d(-1.23, 2.13, 0);
+  cell.atoms.box.cell.col(2) = Eigen::Vector3d(0, 0, 16);
+  cell.atoms.box.periodic = {true, true, false};
+  cell.bonds = find_bonds(cell.atoms);
+  return cell;
+}
+
+TEST(Xyz, KeepsTheImagesOfBonds) {
+  const Structure cell = graphene_cell();
+  ASSERT_EQ(cell.bonds.size(), 3u);
+  EXPECT_EQ(sorted(read_back(text_of(cell)).bonds), sorted(cell.bonds));
+}
+
+TEST(ReadXyz, MendsImagesOfAtomsThatWereWrapped) {
+  Structure cell = graphene_cell();
+  // A cell of its own for each bond, so that the nearest image is the bonded one.
+  cell.atoms.box.cell *= 4.0;
+  cell.bonds = {{.first = 0, .second = 1}};
+  std::string text = text_of(cell);
+  const std::string second = "C 0.0000000000 1.4200000000 8.0000000000";
+  const std::size_t at = text.find(second);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, second.size(), "C 9.8400000000 1.4200000000 8.0000000000");
+  const auto [structure, notes] = file_of(text);
+  ASSERT_EQ(structure.bonds.size(), 1u);
+  EXPECT_NEAR(potentials::bond_length(structure.atoms, structure.bonds[0]), 1.42, 1e-12);
+  EXPECT_EQ(notes.size(), 1u);
+}
+
+TEST(ReadXyz, LeavesOutBondsThatDoNotMatch) {
+  const std::string head = "3\nProperties=species:S:1:pos:R:3:bonded_atoms:I:2\n";
+  for (const std::string rows :
+       {"C 0 0 0 1 -1\nC 1 0 0 2 -1\nC 2 0 0 1 -1\n", "C 0 0 0 1 -1\nC 1 0 0 0 7\nC 2 0 0 -1 -1\n",
+        "C 0 0 0 0 -1\nC 1 0 0 -1 -1\nC 2 0 0 -1 -1\n"}) {
+    const auto [structure, notes] = file_of(head + rows);
+    EXPECT_EQ(structure.atoms.size(), 3u);
+    EXPECT_TRUE(structure.bonds.empty());
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("the bonds of the file are not used"), std::string::npos);
+  }
+}
+
+TEST(Xyz, KeepsArraysOfTheHeaderWhole) {
+  for (const std::string array : {"[1, 0, 0]", "[[1, 2], [3, 4]]", "[a, b]"}) {
+    const Structure frame =
+        read_back("1\nProperties=species:S:1:pos:R:3 key=" + array + " next=5\nC 0 0 0\n");
+    ASSERT_EQ(frame.header.size(), 2u) << array;
+    EXPECT_EQ(std::get<std::string>(frame.header[0].value), array);
+    EXPECT_NE(text_of(frame).find(" key=" + array + " next=5"), std::string::npos) << array;
+  }
 }
 
 TEST(ReadXyz, NamesTheLineOfEveryFault) {
@@ -193,7 +368,21 @@ TEST(ReadXyz, NamesTheLineOfEveryFault) {
       {"1\nProperties=species:S:1\nC\n", "line 2"},
       {"1\nProperties=pos:R:3\n0 0 0\n", "line 2"},
       {"1\nProperties=species:S:1:pos:R:3:x:R:2000000000\nC 0 0 0\n", "line 2"},
-      {"1\nProperties=species:S:1:pos:R:3:n:I:1\nC 0 0 0 99999999999\n", "line 3"}};
+      {"1\nProperties=species:S:1:pos:R:3:n:I:1\nC 0 0 0 99999999999\n", "line 3"},
+      {"1\nLattice=[[1, 2, 3], [4, 5, 6] " + extended + "\nC 0 0 0\n", "no closing ]"},
+      {"1\nLattice=[1, 2, 3} " + extended + "\nC 0 0 0\n", "no closing ]"},
+      {"1\n" + extended + "pbc=\"T maybe F\"\nC 0 0 0\n", "line 2: pbc"},
+      {"1\n" + extended + "Latice=\"2 0 0 0 2 0 0 0 2\"\nC 0 0 0\n", "'latice' is not known"},
+      {"1\nLattices=\"2 0 0 0 2 0 0 0 2\"\nC 0 0 0\n", "'lattices' is not known"},
+      {"1\n" + extended + "cell=\"2 0 0 0 2 0 0 0 2\"\nC 0 0 0\n", "the cell is Lattice"},
+      {"1\n" + extended + "Lattice=\"2 0 0 0 2 0 0 0 2\" lattice=\"\"\nC 0 0 0\n", "second time"},
+      {"1\n" + extended + "Lattice=\"0 0 0 0 2 0 0 0 2\"\nC 0 0 0\n", "that is zero"},
+      {"1\n" + extended + "Lattice=\nC 0 0 0\n", "has no value"},
+      {"1\n" + extended + "=5\nC 0 0 0\n", "no key"},
+      {"1\nProperties=species:S:1:pos:X:3\nC 0 0 0\n", "type of 'pos'"},
+      {"1\nProperties=species:S:1:pos:R:2\nC 0 0\n", "pos:R:3"},
+      {"2\n\nC 0 0 0.000000\nC 0 0 0\n1\n", "line 5"},
+      {"1\n\nC 0 0 0\nC 1 0 0\n", "line 4"}};
   for (const auto& [text, line] : cases) {
     EXPECT_NE(complaint_about(text).find(line), std::string::npos)
         << text << "\n-> " << complaint_about(text);

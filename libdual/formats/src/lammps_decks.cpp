@@ -16,7 +16,8 @@ void check_file_name(std::string_view name) {
            std::iscntrl(c) != 0;
   };
   if (!name.empty() && std::none_of(name.begin(), name.end(), is_trouble)) return;
-  throw InvalidOption(concat("write_lammps_deck: LAMMPS cannot read a file called ", quoted(name)));
+  throw InvalidOption(
+      concat("write_lammps_deck: LAMMPS cannot read a file called ", in_quotes(name)));
 }
 
 void check_options(const LammpsDeckOptions& options) {

@@ -1,213 +1,75 @@
 #include <algorithm>
 #include <limits>
-#include <optional>
-#include <set>
+#include <span>
 #include <string_view>
 
+#include "bond_columns.h"
+#include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/formats/xyz.h"
-#include "xyz_names.h"
+#include "xyz_header.h"
+#include "xyz_layout.h"
 
 namespace trivalent::dual {
 namespace {
 
 using potentials::Species;
 
-struct TextEntry {
-  std::string key;
-  std::string value;
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string::npos; }
+
+/// Symbols, atomic numbers, or LAMMPS's types, whose elements the options name.
+class ElementReader {
+ public:
+  ElementReader(const LineReader& lines, std::span<const Species> elements)
+      : lines_(lines), elements_(elements) {}
+
+  Species read(std::string_view field) {
+    if (const auto element = element_of_symbol(field)) return *element;
+    const bool is_number = field.find_first_not_of("0123456789") == std::string_view::npos;
+    if (is_number && !elements_.empty()) {
+      const auto type = lines_.integer(field, 1, static_cast<std::int64_t>(elements_.size()));
+      return elements_[static_cast<std::size_t>(type - 1)];
+    }
+    const auto element = element_of_number(field);
+    if (!element) {
+      lines_.fail("element ", in_quotes(field), "; the potentials know C and H",
+                  is_number ? "; if this is a type of LAMMPS, --elements names its element" : "");
+    }
+    if (*element == Species::hydrogen && line_of_one_ == 0) line_of_one_ = lines_.line_number();
+    return *element;
+  }
+
+  /// Refuses numbers that may as well be types: LAMMPS's `dump xyz` writes nothing but those.
+  void check(const std::vector<Species>& species) const {
+    const bool has_carbon = std::ranges::find(species, Species::carbon) != species.end();
+    if (line_of_one_ == 0 || has_carbon) return;
+    lines_.fail_at(line_of_one_,
+                   "element '1' is the number of hydrogen or a type of LAMMPS; name the elements "
+                   "of the types, as in --elements C");
+  }
+
+ private:
+  const LineReader& lines_;
+  std::span<const Species> elements_;
+  std::size_t line_of_one_ = 0;  // the first; lines count from 1
 };
 
-/// Takes the characters up to the closing mark off the line, with backslash escapes undone.
-std::string take_delimited(std::string_view& rest, char close, const LineReader& lines) {
-  std::string value;
-  for (std::size_t i = 1; i < rest.size(); ++i) {
-    if (rest[i] == close) {
-      rest.remove_prefix(i + 1);
-      return value;
-    }
-    if (rest[i] == '\\' && i + 1 < rest.size()) ++i;
-    value += rest[i];
-  }
-  lines.fail("no closing ", close, " after ", quoted(rest));
-}
-
-std::string take_value(std::string_view& rest, const LineReader& lines) {
-  if (rest.starts_with('"')) return take_delimited(rest, '"', lines);
-  if (rest.starts_with('{')) return take_delimited(rest, '}', lines);
-  const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
-  std::string value(rest.substr(0, end));
-  rest.remove_prefix(end);
-  return value;
-}
-
-/// Splits the comment line into key=value; a bare word stands for true.
-std::vector<TextEntry> parse_header(std::string_view rest, const LineReader& lines) {
-  std::vector<TextEntry> entries;
-  while (true) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    if (rest.empty()) return entries;
-    const std::size_t end = std::min(rest.find_first_of("= \t"), rest.size());
-    TextEntry entry = {.key = std::string(rest.substr(0, end)), .value = "T"};
-    rest.remove_prefix(end);
-    if (rest.starts_with('=')) {
-      rest.remove_prefix(1);
-      entry.value = take_value(rest, lines);
-    }
-    entries.push_back(std::move(entry));
-  }
-}
-
-std::optional<std::string> find_entry(const std::vector<TextEntry>& entries, std::string_view key) {
-  for (const TextEntry& entry : entries) {
-    if (entry.key == key) return entry.value;
-  }
-  return std::nullopt;
-}
-
-std::vector<double> reals(std::string_view text, std::size_t count, const LineReader& lines) {
-  std::vector<std::string_view> fields;
-  split_fields(text, fields);
-  if (fields.size() != count) {
-    lines.fail("expected ", count, " numbers, found ", quoted(text));
-  }
-  std::vector<double> values;
-  values.reserve(count);
-  for (const auto field : fields) values.push_back(lines.real(field));
-  return values;
-}
-
-std::array<bool, 3> parse_periodic(std::string_view text, const LineReader& lines) {
-  std::vector<std::string_view> fields;
-  split_fields(text, fields);
-  if (fields.size() != 3) lines.fail("pbc needs three of T and F, found ", quoted(text));
-  std::array<bool, 3> periodic = {};
-  for (int i = 0; i < 3; ++i) {
-    const bool is_true = fields[i] == "T" || fields[i] == "True" || fields[i] == "1";
-    const bool is_false = fields[i] == "F" || fields[i] == "False" || fields[i] == "0";
-    if (!is_true && !is_false) lines.fail("pbc needs three of T and F, found ", quoted(text));
-    periodic[i] = is_true;
-  }
-  return periodic;
-}
-
-potentials::Box parse_box(const std::vector<TextEntry>& header, const LineReader& lines) {
-  potentials::Box box;
-  const auto lattice = find_entry(header, "Lattice");
-  if (lattice) {
-    const std::vector<double> numbers = reals(*lattice, 9, lines);
-    box.cell = Eigen::Map<const Eigen::Matrix3d>(numbers.data());
-    box.periodic = {true, true, true};
-  }
-  if (const auto origin = find_entry(header, "Origin")) {
-    box.origin = Eigen::Map<const Eigen::Vector3d>(reals(*origin, 3, lines).data());
-  }
-  if (const auto periodic = find_entry(header, "pbc"))
-    box.periodic = parse_periodic(*periodic, lines);
-  if (!lattice && box.is_periodic()) lines.fail("pbc says periodic, but there is no Lattice");
-  return box;
-}
-
-/// What a property of the file becomes.
-enum class Role { species, position, column, ignored };
-
-struct Property {
-  std::string name;
-  Role role = Role::ignored;
-  std::size_t first_field = 0;
-  std::size_t n_fields = 0;
-};
-
-/// The properties in file order, and the columns that they fill (in the same order).
-struct Layout {
-  std::vector<Property> properties = {};
-  std::vector<Column> columns = {};
-  std::size_t n_fields = 0;    ///< per atom
-  bool may_have_more = false;  ///< plain XYZ: anything may follow the position
-  std::vector<std::string> notes = {};
-};
-
-std::vector<std::string_view> split_at_colons(std::string_view text) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = std::min(text.find(':'), text.size());
-    parts.push_back(text.substr(0, end));
-    if (end == text.size()) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-void add_column(Layout& layout, Property& property, std::string_view type) {
-  const bool is_real = type == "R";
-  const bool has_shape = property.n_fields == 1 || property.n_fields == 3;
-  if (!has_shape || !(is_real || type == "I") || !is_xyz_name(property.name)) {
-    layout.notes.push_back(concat("column ", quoted(property.name), " is not read (type ", type,
-                                  ", ", property.n_fields, " components)"));
-    return;
-  }
-  property.role = Role::column;
-  Column column = {.name = property.name, .values = {}};
-  if (is_real && property.n_fields == 3) column.values = std::vector<Eigen::Vector3d>();
-  if (!is_real && property.n_fields == 1) column.values = std::vector<int>();
-  if (!is_real && property.n_fields == 3) column.values = std::vector<std::array<int, 3>>();
-  layout.columns.push_back(std::move(column));
-}
-
-void check_roles(const Layout& layout, const LineReader& lines) {
-  const auto count = [&](Role role) {
-    return std::count_if(layout.properties.begin(), layout.properties.end(),
-                         [&](const Property& property) { return property.role == role; });
-  };
-  if (count(Role::species) != 1) lines.fail("Properties needs one species:S:1");
-  if (count(Role::position) != 1) lines.fail("Properties needs one pos:R:3");
-}
-
-Layout parse_layout(std::string_view text, const LineReader& lines) {
-  const auto parts = split_at_colons(text);
-  if (parts.size() % 3 != 0) {
-    lines.fail("Properties must be name:type:components, repeated; found ", quoted(text));
-  }
-  Layout layout;
-  for (std::size_t i = 0; i < parts.size(); i += 3) {
-    const std::string_view type = parts[i + 1];
-    const auto n_fields = static_cast<std::size_t>(lines.integer(parts[i + 2], 1, 1000));
-    Property property = {std::string(parts[i]), Role::ignored, layout.n_fields, n_fields};
-    const bool is_symbol = property.name == "species" || property.name == "element";
-    if (is_symbol && type == "S" && n_fields == 1) {
-      property.role = Role::species;
-    } else if (property.name == "pos" && type == "R" && n_fields == 3) {
-      property.role = Role::position;
-    } else {
-      add_column(layout, property, type);
-    }
-    layout.n_fields += n_fields;
-    layout.properties.push_back(std::move(property));
-  }
-  check_roles(layout, lines);
-  return layout;
-}
-
-Species parse_species(std::string_view field, const LineReader& lines) {
-  if (field == "C" || field == "6") return Species::carbon;
-  if (field == "H" || field == "1") return Species::hydrogen;
-  lines.fail("element ", quoted(field), "; the potentials know C and H");
-}
-
+/// The fields of one atom as numbers.
 class RowReader {
  public:
   RowReader(const LineReader& lines, const std::vector<std::string_view>& fields)
       : lines_(lines), fields_(fields) {}
 
+  [[nodiscard]] std::string_view field(std::size_t index) const { return fields_[index]; }
   [[nodiscard]] Eigen::Vector3d vector(std::size_t first) const {
-    return {lines_.real(fields_[first]), lines_.real(fields_[first + 1]),
-            lines_.real(fields_[first + 2])};
+    return {real(first), real(first + 1), real(first + 2)};
   }
   [[nodiscard]] int integer(std::size_t field) const {
     using Limits = std::numeric_limits<int>;
     return static_cast<int>(lines_.integer(fields_[field], Limits::min(), Limits::max()));
   }
   void append(std::vector<double>& values, std::size_t first) const {
-    values.push_back(lines_.real(fields_[first]));
+    values.push_back(real(first));
   }
   void append(std::vector<int>& values, std::size_t first) const {
     values.push_back(integer(first));
@@ -220,26 +82,11 @@ class RowReader {
   }
 
  private:
+  [[nodiscard]] double real(std::size_t field) const { return lines_.fortran_real(fields_[field]); }
+
   const LineReader& lines_;
   const std::vector<std::string_view>& fields_;
 };
-
-void read_row(const Layout& layout, const LineReader& lines,
-              const std::vector<std::string_view>& fields, Structure& structure) {
-  const RowReader row(lines, fields);
-  std::size_t column = 0;
-  for (const Property& property : layout.properties) {
-    const std::size_t first = property.first_field;
-    if (property.role == Role::species) {
-      structure.atoms.species.push_back(parse_species(fields[first], lines));
-    } else if (property.role == Role::position) {
-      structure.atoms.positions.push_back(row.vector(first));
-    } else if (property.role == Role::column) {
-      std::visit([&](auto& values) { row.append(values, first); },
-                 structure.columns[column++].values);
-    }
-  }
-}
 
 std::int64_t read_count(LineReader& lines) {
   std::vector<std::string_view> fields;
@@ -248,75 +95,166 @@ std::int64_t read_count(LineReader& lines) {
   return lines.integer(fields.front(), 0, std::numeric_limits<int>::max());
 }
 
-void check_room(const LineReader& lines, const Layout& layout, std::int64_t n_atoms) {
-  // A field takes at least one character and one blank or line end; the last may lack it.
-  const std::uint64_t shortest_row = 2 * layout.n_fields;
-  if (static_cast<std::uint64_t>(n_atoms) * shortest_row <= lines.n_remaining() + 1) return;
-  lines.fail("the file declares ", n_atoms, " atoms, but only ", lines.n_remaining(),
-             " bytes follow; it is cut short or the count is wrong");
-}
-
-void read_rows(LineReader& lines, const Layout& layout, std::int64_t n_atoms,
-               Structure& structure) {
-  structure.columns = layout.columns;
-  structure.atoms.positions.reserve(static_cast<std::size_t>(n_atoms));
-  structure.atoms.species.reserve(static_cast<std::size_t>(n_atoms));
-  std::vector<std::string_view> fields;
-  for (std::int64_t i = 0; i < n_atoms; ++i) {
-    split_fields(lines.require(concat("atom ", i + 1, " of ", n_atoms)), fields);
-    const bool has_right_number =
-        layout.may_have_more ? fields.size() >= layout.n_fields : fields.size() == layout.n_fields;
-    if (!has_right_number) {
-      lines.fail("expected ", layout.n_fields, " fields for an atom, found ", fields.size());
-    }
-    read_row(layout, lines, fields, structure);
+/// One structure of a file, read up to its comment line.
+class FrameReader {
+ public:
+  FrameReader(LineReader& lines, const ReadOptions& options)
+      : lines_(lines),
+        n_atoms_(read_count(lines)),
+        comment_(lines.require("the comment line")),
+        elements_(lines, options.elements) {
+    check_room(1);
   }
-}
 
-/// Everything in the header that is no part of the structure; numbers as numbers.
-std::vector<HeaderEntry> other_entries(const std::vector<TextEntry>& header) {
-  std::set<std::string> seen = {"Lattice", "Origin", "Properties", "pbc"};
-  std::vector<HeaderEntry> entries;
-  for (const TextEntry& entry : header) {
-    if (!is_xyz_name(entry.key) || !seen.insert(entry.key).second) continue;
-    if (const auto number = finite_number(entry.value)) {
-      entries.push_back({entry.key, *number});
+  StructureFile read() {
+    StructureFile file;
+    XyzLayout layout = plain_xyz_layout();
+    // In plain XYZ the comment is free text, which may hold anything.
+    if (XyzHeader::has_keys(comment_)) {
+      const XyzHeader header(comment_, lines_);
+      if (const auto properties = header.find("properties")) {
+        layout = parse_xyz_layout(*properties, lines_);
+      }
+      file.structure.header = header.others();
+      file.structure.atoms.box = header.box(lines_);
+      file.notes = header.notes();
     } else {
-      entries.push_back({entry.key, entry.value});
+      XyzHeader::check_free_text(comment_, lines_);
+    }
+    file.notes.insert(file.notes.end(), layout.notes.begin(), layout.notes.end());
+    check_room(layout.n_fields);
+    read_rows(layout, file);
+    elements_.check(file.structure.atoms.species);
+    return file;
+  }
+
+  /// Goes past the atoms without a look at them.
+  void skip() {
+    for (std::int64_t i = 0; i < n_atoms_; ++i) static_cast<void>(next_row(i));
+  }
+
+ private:
+  std::string_view next_row(std::int64_t atom) {
+    return lines_.require(concat("atom ", atom + 1, " of ", n_atoms_));
+  }
+
+  void check_room(std::size_t n_fields) const {
+    // A field takes at least one character and one blank or line end; the last may lack it.
+    const std::uint64_t shortest_row = 2 * n_fields;
+    if (static_cast<std::uint64_t>(n_atoms_) * shortest_row <= lines_.n_remaining() + 1) return;
+    lines_.fail("the file declares ", n_atoms_, " atoms, but only ", lines_.n_remaining(),
+                " bytes follow; it is cut short or the count is wrong");
+  }
+
+  void read_rows(const XyzLayout& layout, StructureFile& file) {
+    Structure& structure = file.structure;
+    structure.columns = layout.columns;
+    structure.atoms.positions.reserve(static_cast<std::size_t>(n_atoms_));
+    structure.atoms.species.reserve(static_cast<std::size_t>(n_atoms_));
+    BondColumns bonds;
+    std::vector<std::string_view> fields;
+    for (std::int64_t i = 0; i < n_atoms_; ++i) {
+      split_fields(next_row(i), fields);
+      const bool has_right_number = layout.may_have_more ? fields.size() >= layout.n_fields
+                                                         : fields.size() == layout.n_fields;
+      if (!has_right_number) {
+        lines_.fail("expected ", layout.n_fields, " fields for an atom, found ", fields.size());
+      }
+      read_row(layout, RowReader(lines_, fields), structure, bonds);
+    }
+    take_network(layout, bonds, file);
+  }
+
+  void read_row(const XyzLayout& layout, const RowReader& row, Structure& structure,
+                BondColumns& bonds) {
+    std::size_t column = 0;
+    for (const XyzProperty& property : layout.properties) {
+      const std::size_t first = property.first_field;
+      const auto integers = [&](std::vector<int>& values) {
+        for (std::size_t i = 0; i < property.n_fields; ++i) row.append(values, first + i);
+      };
+      switch (property.role) {
+        case XyzRole::element:
+          structure.atoms.species.push_back(elements_.read(row.field(first)));
+          break;
+        case XyzRole::position:
+          structure.atoms.positions.push_back(row.vector(first));
+          break;
+        case XyzRole::bonded_atoms:
+          integers(bonds.atoms);
+          break;
+        case XyzRole::bonded_images:
+          integers(bonds.images);
+          break;
+        case XyzRole::column:
+          std::visit([&](auto& values) { row.append(values, first); },
+                     structure.columns[column++].values);
+          break;
+        case XyzRole::left_out:
+          break;
+      }
     }
   }
-  return entries;
+
+  static void take_network(const XyzLayout& layout, BondColumns& bonds, StructureFile& file) {
+    for (const XyzProperty& property : layout.properties) {
+      if (property.role == XyzRole::bonded_atoms) bonds.width = property.n_fields;
+    }
+    if (bonds.width == 0) return;
+    if (!bonds.images.empty() && bonds.images.size() != 3 * bonds.atoms.size()) {
+      file.notes.push_back(concat("the bonds of the file are not used: ", BondColumns::images_name,
+                                  " needs three numbers for each of ", BondColumns::atoms_name));
+      return;
+    }
+    take_bonds(bonds, file.structure, file.notes);
+  }
+
+  LineReader& lines_;
+  std::int64_t n_atoms_;
+  std::string_view comment_;
+  ElementReader elements_;
+};
+
+/// Goes past blank lines; false at the end of the file.
+bool find_next_frame(LineReader& lines) {
+  for (LineReader ahead = lines; const auto line = ahead.next(); lines = ahead) {
+    if (!is_blank(*line)) return true;
+  }
+  return false;
 }
 
-void note_what_follows(LineReader& lines, std::vector<std::string>& notes) {
-  while (const auto line = lines.next()) {
-    if (line->find_first_not_of(" \t") == std::string_view::npos) continue;
-    notes.push_back("further structures follow the first and are not read");
-    return;
+struct FoundFrame {
+  LineReader lines;  ///< in front of the structure
+  int n_passed = 0;  ///< structures up to it, itself included
+};
+
+/// Finds the structure that the options ask for.
+FoundFrame find_frame(LineReader lines, const ReadOptions& options) {
+  FoundFrame found = {.lines = lines};
+  while (true) {
+    found.lines = lines;
+    FrameReader(lines, options).skip();
+    ++found.n_passed;
+    if (options.frame && *options.frame == found.n_passed) return found;
+    if (!find_next_frame(lines)) break;
   }
+  if (options.frame) {
+    lines.fail("the file has ", found.n_passed, " structures; there is no number ", *options.frame);
+  }
+  return found;
 }
 
 }  // namespace
 
-StructureFile read_xyz(const std::filesystem::path& path) {
+StructureFile read_xyz(const std::filesystem::path& path, const ReadOptions& options) {
   const TextSource source = {.reader = "read_xyz", .path = path};
   const std::string text = read_text(source);
-  LineReader lines(text, source);
-  const std::int64_t n_atoms = read_count(lines);
-  const std::string_view comment = lines.require("the comment line");
-
-  // Plain XYZ has free text here, which may hold anything.
-  const bool has_keys = comment.find("Properties=") != std::string_view::npos ||
-                        comment.find("Lattice=") != std::string_view::npos;
-  const auto header = has_keys ? parse_header(comment, lines) : std::vector<TextEntry>();
-  const auto properties = find_entry(header, "Properties");
-  Layout layout = parse_layout(properties.value_or("species:S:1:pos:R:3"), lines);
-  layout.may_have_more = !properties;
-  StructureFile file = {.structure = {.header = other_entries(header)}, .notes = layout.notes};
-  file.structure.atoms.box = parse_box(header, lines);
-  check_room(lines, layout, n_atoms);
-  read_rows(lines, layout, n_atoms, file.structure);
-  note_what_follows(lines, file.notes);
+  FoundFrame found = find_frame(LineReader(text, source), options);
+  StructureFile file = FrameReader(found.lines, options).read();
+  if (!options.frame && found.n_passed > 1) {
+    file.notes.push_back(concat("the file has ", found.n_passed,
+                                " structures; the last is read (--frame names another)"));
+  }
   return file;
 }
 

@@ -1,5 +1,6 @@
 #include "trivalent/formats/text_file.h"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace trivalent::dual {
 namespace {
 
 constexpr std::string_view blanks = " \t\v\f\r";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8
 
 // No large structure packs better than this; what does is made to fill the memory.
 constexpr std::size_t best_compression = 200;
@@ -34,12 +36,14 @@ std::string_view without_plus(std::string_view field) {
 }  // namespace
 
 std::string read_text(const TextSource& source) {
-  const std::string name = source.path.string();
+  const bool is_standard_input = source.path == "-";
+  const std::string name = is_standard_input ? "standard input" : source.path.string();
   const auto fail = [&](const std::string& reason) {
     throw FileError(concat(source.reader, ": cannot read ", name, ": ", reason));
   };
   errno = 0;
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(name.c_str(), "rb"), gzclose);
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(
+      is_standard_input ? gzdopen(dup(STDIN_FILENO), "rb") : gzopen(name.c_str(), "rb"), gzclose);
   if (!file) fail(errno != 0 ? std::strerror(errno) : "out of memory");
   std::string text;
   std::vector<char> block(std::size_t{1} << 20);
@@ -54,13 +58,19 @@ std::string read_text(const TextSource& source) {
     const char* message = gzerror(file.get(), &code);
     if (code == Z_ERRNO) fail(std::strerror(errno));
     if (code != Z_OK && code != Z_STREAM_END) fail(message);
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     return text;
   }
 }
 
+LineReader::LineReader(std::string_view text, TextSource source)
+    : text_(text),
+      source_(std::move(source)),
+      line_end_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
+
 std::optional<std::string_view> LineReader::next() {
   if (position_ >= text_.size()) return std::nullopt;
-  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  const std::size_t end = std::min(text_.find(line_end_, position_), text_.size());
   std::string_view line = text_.substr(position_, end - position_);
   if (line.ends_with('\r')) line.remove_suffix(1);
   position_ = std::min(end + 1, text_.size());
@@ -76,8 +86,17 @@ std::string_view LineReader::require(std::string_view what) {
 
 double LineReader::real(std::string_view field) const {
   const auto value = finite_number(field);
-  if (!value) fail(quoted(field), " is not a finite number");
+  if (!value) fail(in_quotes(field), " is not a finite number");
   return *value;
+}
+
+double LineReader::fortran_real(std::string_view field) const {
+  const std::size_t exponent = field.find_first_of("dD");
+  if (exponent == std::string_view::npos) return real(field);
+  std::string number(field);
+  number[exponent] = 'e';
+  if (const auto value = finite_number(number)) return *value;
+  return real(field);  // which complains
 }
 
 std::int64_t LineReader::integer(std::string_view field, std::int64_t low,
@@ -86,7 +105,7 @@ std::int64_t LineReader::integer(std::string_view field, std::int64_t low,
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || value < low || value > high) {
-    fail(quoted(field), " is not an integer from ", low, " to ", high);
+    fail(in_quotes(field), " is not an integer from ", low, " to ", high);
   }
   return value;
 }
@@ -110,7 +129,7 @@ std::optional<double> finite_number(std::string_view text) {
   return is_number ? std::optional(value) : std::nullopt;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string result = "'";
   for (const char character : text.substr(0, longest)) {

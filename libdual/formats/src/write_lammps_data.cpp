@@ -7,6 +7,7 @@
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/lammps_frame.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/remesh/whole_file.h"
 
@@ -22,23 +23,17 @@ bool writes_bonds(const Structure& structure, const LammpsDataOptions& options) 
   return options.style == AtomStyle::molecular && !structure.bonds.empty();
 }
 
+void check_style(const LammpsDataOptions& options) {
+  if (options.style == AtomStyle::atomic || options.style == AtomStyle::molecular) return;
+  throw InvalidOption("write_lammps_data: atom_style must be atomic or molecular");
+}
+
 void check_box(const Box& box) {
-  const Eigen::Matrix3d& cell = box.cell;
-  const bool is_finite = cell.allFinite() && box.origin.allFinite();
-  const bool is_upper_triangular = cell(1, 0) == 0.0 && cell(2, 0) == 0.0 && cell(2, 1) == 0.0;
-  if (!is_finite || !is_upper_triangular || cell.diagonal().minCoeff() <= 0.0) {
-    throw InvalidOption(
-        "write_lammps_data: the box must have its first vector along x, the second in "
-        "the xy plane, and be right-handed; rotate atoms and box first");
-  }
-  const bool has_large_tilt = std::abs(cell(0, 1)) > 0.5 * cell(0, 0) ||
-                              std::abs(cell(0, 2)) > 0.5 * cell(0, 0) ||
-                              std::abs(cell(1, 2)) > 0.5 * cell(1, 1);
-  if (has_large_tilt) {
-    throw InvalidOption(
-        "write_lammps_data: a tilt is more than half a box side; choose shorter, "
-        "equivalent cell vectors");
-  }
+  if (fits_lammps(box)) return;
+  throw InvalidOption(
+      "write_lammps_data: the box must have its first vector along x, the second in the xy plane, "
+      "be right-handed, and tilted by at most half a side, only where it is periodic; "
+      "lammps_frame() makes it so");
 }
 
 void check_part(const Structure& structure, const LammpsDataOptions& options) {
@@ -96,6 +91,13 @@ void write_counts(std::ostream& out, const Structure& structure, const LammpsDat
   out << '\n';
 }
 
+/// A tilt of half a side must not become more than that because the side, as hi - lo, is rounded.
+double written_tilt(const Box& box, int row, int column) {
+  const double low = box.origin[row];
+  const double half = 0.5 * ((low + box.cell(row, row)) - low);
+  return std::clamp(box.cell(row, column), -half, half);
+}
+
 void write_box(std::ostream& out, const Box& box) {
   constexpr std::array axes = {'x', 'y', 'z'};
   std::string line;
@@ -107,8 +109,8 @@ void write_box(std::ostream& out, const Box& box) {
   }
   const bool is_tilted = box.cell(0, 1) != 0.0 || box.cell(0, 2) != 0.0 || box.cell(1, 2) != 0.0;
   if (is_tilted) {
-    for (const double tilt : {box.cell(0, 1), box.cell(0, 2), box.cell(1, 2)}) {
-      append_real(line, tilt, Digits::seventeen_significant);
+    for (const auto [row, column] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
+      append_real(line, written_tilt(box, row, column), Digits::seventeen_significant);
       line += ' ';
     }
     line += "xy xz yz\n";
@@ -177,11 +179,11 @@ void write_groups(std::ostream& out, std::string_view section, const std::vector
 }  // namespace
 
 void require_lammps_ids(std::uint64_t atoms) {
-  if (atoms <= most_lammps_atoms) return;
+  if (atoms <= max_lammps_atoms) return;
   throw InvalidNetwork(concat("write_lammps_data: ", atoms,
                               " atoms; LAMMPS counts them with 32 bits "
                               "unless it is built with -DLAMMPS_SIZES=bigbig, up to ",
-                              most_lammps_atoms, "; make the shell smaller"));
+                              max_lammps_atoms, "; make the shell smaller"));
 }
 
 void write_lammps_data(std::ostream& out, const Structure& structure,
@@ -190,6 +192,7 @@ void write_lammps_data(std::ostream& out, const Structure& structure,
   const Box box = box_to_write(structure.atoms);
   check_atoms("write_lammps_data", structure.atoms);
   check_bonds(structure.atoms, structure.bonds);
+  check_style(options);
   check_box(box);
   check_title(options.title);
   check_part(structure, options);

@@ -3,7 +3,9 @@
 #include "gzip_stream.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/formats/lammps_deck.h"
+#include "trivalent/formats/lammps_frame.h"
 #include "trivalent/formats/lammps_package.h"
+#include "trivalent/formats/text_file.h"
 #include "trivalent/remesh/whole_file.h"
 
 namespace trivalent::dual {
@@ -44,7 +46,23 @@ std::vector<std::string> write_data_files(const fs::path& folder, const Structur
   return names;
 }
 
-void write_readme(std::ostream& out, const LammpsDeckOptions& deck, std::size_t n_atoms) {
+void write_rotation(std::ostream& out, const Eigen::Matrix3d& rotation) {
+  out << "LAMMPS takes boxes with the first cell vector along x and the second in the xy plane. "
+         "The "
+         "atoms\nwere rotated to it; a vector x of the original is R x here:\n\n";
+  for (int row = 0; row < 3; ++row) {
+    std::string line = "    ";
+    for (int column = 0; column < 3; ++column) {
+      line += column > 0 ? " " : "";
+      append_real(line, rotation(row, column), Digits::seventeen_significant);
+    }
+    out << line << '\n';
+  }
+  out << '\n';
+}
+
+void write_readme(std::ostream& out, const LammpsDeckOptions& deck, const LammpsFrame& frame) {
+  const std::size_t n_atoms = frame.atoms.size();
   out << "# " << n_atoms << " atoms for LAMMPS\n\n"
       << "| file | what it does |\n|---|---|\n| ";
   for (const std::string& name : deck.data_files) {
@@ -59,6 +77,7 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, std::size_t 
          "restart files |\n\n"
       << "One process, or several with MPI:\n\n"
       << "    lmp -in in.check\n    mpirun -np 4 lmp -in in.check\n\n";
+  if (frame.is_rotated()) write_rotation(out, frame.rotation);
   if (deck.data_files.size() == 1) {
     out << "From the relaxed atoms, hotter and longer:\n\n"
         << "    lmp -in in.md -var data relaxed.data -var temperature 1000 -var steps 100000\n\n";
@@ -84,12 +103,17 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, std::size_t 
 
 }  // namespace
 
-std::vector<std::string> write_lammps_package(const fs::path& folder, const Structure& structure,
-                                              double energy, const LammpsPackageOptions& options) {
+LammpsPackage write_lammps_package(const fs::path& folder, const Structure& structure,
+                                   double energy, const LammpsPackageOptions& options) {
   if (options.atoms_per_file == 0) {
     throw InvalidOption("write_lammps_package: atoms_per_file is 0; it must be >= 1");
   }
-  std::vector<std::string> names = write_data_files(folder, structure, options);
+  if (options.data.style == AtomStyle::molecular && structure.bonds.empty()) {
+    throw InvalidOption("write_lammps_package: atom_style molecular needs bonds; there are none");
+  }
+  const LammpsFrame frame = lammps_frame(structure.atoms);
+  const Structure turned = {.atoms = frame.atoms, .bonds = structure.bonds};
+  std::vector<std::string> names = write_data_files(folder, turned, options);
   const LammpsDeckOptions deck = {.data_files = names,
                                   .style = options.data.style,
                                   .angles = options.data.angles,
@@ -104,8 +128,8 @@ std::vector<std::string> write_lammps_package(const fs::path& folder, const Stru
   write("in.check", [&](std::ostream& out) { write_lammps_check(out, deck); });
   write("in.relax", [&](std::ostream& out) { write_lammps_relaxation(out, deck); });
   write("in.md", [&](std::ostream& out) { write_lammps_dynamics(out, deck); });
-  write("README.md", [&](std::ostream& out) { write_readme(out, deck, structure.atoms.size()); });
-  return names;
+  write("README.md", [&](std::ostream& out) { write_readme(out, deck, frame); });
+  return {.files = std::move(names), .rotation = frame.rotation};
 }
 
 }  // namespace trivalent::dual

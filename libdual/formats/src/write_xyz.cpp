@@ -2,8 +2,10 @@
 #include <set>
 #include <string_view>
 
+#include "bond_columns.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/padded_box.h"
+#include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/formats/xyz.h"
 #include "trivalent/remesh/whole_file.h"
@@ -11,10 +13,6 @@
 
 namespace trivalent::dual {
 namespace {
-
-std::string_view symbol(potentials::Species species) {
-  return species == potentials::Species::carbon ? "C" : "H";
-}
 
 /// Letter and number of components of a column's values in the key Properties.
 struct Shape {
@@ -28,17 +26,19 @@ Shape shape_of(const Column& column) {
 }
 
 void check_names(const Structure& structure) {
-  std::set<std::string> taken = {"species", "pos"};
+  std::set<std::string> taken = {"species", "pos", std::string(BondColumns::atoms_name),
+                                 std::string(BondColumns::images_name)};
   for (const Column& column : structure.columns) {
     if (!is_xyz_name(column.name) || !taken.insert(column.name).second) {
       throw InvalidOption(
-          concat("write_xyz: ", quoted(column.name), " is no free name for a column"));
+          concat("write_xyz: ", in_quotes(column.name), " is no free name for a column"));
     }
   }
   taken = {"Lattice", "Origin", "Properties", "pbc"};
   for (const HeaderEntry& entry : structure.header) {
     if (!is_xyz_name(entry.key) || !taken.insert(entry.key).second) {
-      throw InvalidOption(concat("write_xyz: ", quoted(entry.key), " is no free name for a key"));
+      throw InvalidOption(
+          concat("write_xyz: ", in_quotes(entry.key), " is no free name for a key"));
     }
   }
 }
@@ -62,7 +62,24 @@ void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digi
   }
 }
 
+/// Whether a text is an array as it stands: [1, 2] or [[1, 2], [3, 4]].
+bool is_array(std::string_view text) {
+  if (!text.starts_with('[') || text.find_first_of("\"\\\n\r={}") != std::string_view::npos) {
+    return false;
+  }
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[') ++depth;
+    if (text[i] == ']' && --depth == 0) return i + 1 == text.size();
+  }
+  return false;
+}
+
 void append_text(std::string& line, std::string_view text) {
+  if (is_array(text)) {
+    line += text;
+    return;
+  }
   line += '"';
   for (const char character : text) {
     if (character == '"' || character == '\\') line += '\\';
@@ -83,19 +100,22 @@ void append_box(std::string& line, const potentials::Box& box) {
   line += '"';
 }
 
-void append_properties(std::string& line, const std::vector<Column>& columns) {
+void append_properties(std::string& line, const std::vector<Column>& columns,
+                       const BondColumns& bonds) {
   line += " Properties=species:S:1:pos:R:3";
   for (const Column& column : columns) {
     const auto [type, components] = shape_of(column);
     line += concat(':', column.name, ':', type, ':', components);
   }
+  if (bonds.width > 0) line += concat(':', BondColumns::atoms_name, ":I:", bonds.width);
+  if (!bonds.images.empty()) line += concat(':', BondColumns::images_name, ":I:", 3 * bonds.width);
 }
 
-void write_header(std::ostream& out, const Structure& structure) {
+void write_header(std::ostream& out, const Structure& structure, const BondColumns& bonds) {
   const potentials::Box box = box_to_write(structure.atoms);
   std::string line;
   append_box(line, box);
-  append_properties(line, structure.columns);
+  append_properties(line, structure.columns, bonds);
   line += " pbc=\"";
   for (int i = 0; i < 3; ++i) line += concat(i > 0 ? " " : "", box.periodic[i] ? 'T' : 'F');
   line += '"';
@@ -124,17 +144,28 @@ void append_value(std::string& line, const std::array<int, 3>& value, Digits) {
   }
 }
 
-void write_rows(std::ostream& out, const Structure& structure, Digits digits) {
+void append_integers(std::string& line, const std::vector<int>& values, std::size_t begin,
+                     std::size_t n) {
+  for (std::size_t i = begin; i < begin + n && !values.empty(); ++i) {
+    line += ' ';
+    append_integer(line, values[i]);
+  }
+}
+
+void write_rows(std::ostream& out, const Structure& structure, const BondColumns& bonds,
+                Digits digits) {
   std::string line;
   for (std::size_t i = 0; i < structure.atoms.size(); ++i) {
     line.clear();
-    line += symbol(structure.atoms.species[i]);
+    line += symbol_of(structure.atoms.species[i]);
     line += ' ';
     append_vector(line, structure.atoms.positions[i], digits);
     for (const Column& column : structure.columns) {
       line += ' ';
       std::visit([&](const auto& values) { append_value(line, values[i], digits); }, column.values);
     }
+    append_integers(line, bonds.atoms, i * bonds.width, bonds.width);
+    append_integers(line, bonds.images, 3 * i * bonds.width, 3 * bonds.width);
     line += '\n';
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
   }
@@ -144,8 +175,9 @@ void write_rows(std::ostream& out, const Structure& structure, Digits digits) {
 
 void write_xyz(std::ostream& out, const Structure& structure, Digits digits) {
   check_structure(structure);
-  write_header(out, structure);
-  write_rows(out, structure, digits);
+  const BondColumns bonds = structure.bonds.empty() ? BondColumns() : bond_columns(structure);
+  write_header(out, structure, bonds);
+  write_rows(out, structure, bonds, digits);
 }
 
 void write_xyz(const std::filesystem::path& path, const Structure& structure, Digits digits) {

@@ -1,10 +1,50 @@
 #include "trivalent/dual/columns.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "trivalent/dual/network_checks.h"
 
 namespace trivalent::dual {
+namespace {
+
+// What ASE and others call results of a calculation; they belong to one potential and one geometry.
+constexpr std::array<std::string_view, 14> result_keys = {"energy",
+                                                          "free_energy",
+                                                          "stress",
+                                                          "virial",
+                                                          "dipole",
+                                                          "magmom",
+                                                          "virials",
+                                                          "Energy",
+                                                          "total_energy",
+                                                          "enthalpy",
+                                                          "polarization",
+                                                          "pressure",
+                                                          "dielectric_tensor",
+                                                          "potential_energy"};
+constexpr std::array<std::string_view, 14> result_columns = {"energies",
+                                                             "energy",
+                                                             "local_energy",
+                                                             "atomic_energy",
+                                                             "forces",
+                                                             "force",
+                                                             "stresses",
+                                                             "virials",
+                                                             "local_virial",
+                                                             "magmoms",
+                                                             "charges",
+                                                             "charge",
+                                                             "born_effective_charges",
+                                                             "dipoles"};
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
 
 std::vector<Column> network_columns(const Structure& structure) {
   return {{.name = "coordination", .values = coordinations(structure)},
@@ -24,8 +64,11 @@ void replace_columns(Structure& structure, std::vector<Column> columns) {
 }
 
 void add_energies(Structure& structure, const potentials::EnergyForces& result) {
+  std::erase_if(structure.columns,
+                [](const Column& old) { return is_one_of(result_columns, old.name); });
+  std::erase_if(structure.header,
+                [](const HeaderEntry& old) { return is_one_of(result_keys, old.key); });
   replace_columns(structure, energy_columns(result));
-  std::erase_if(structure.header, [](const HeaderEntry& old) { return old.key == "energy"; });
   structure.header.push_back({.key = "energy", .value = result.energy});
 }
 

@@ -18,6 +18,11 @@ void write_build(const std::filesystem::path& folder, const BuildResult& result,
   dual::write_xyz(folder / "shell.extxyz", structure, options.digits);
   dual::write_lammps_package(folder, structure, result.energy.energy,
                              {.data = {.style = options.atom_style, .digits = options.digits}});
+  for (const std::string& name : options.formats) {
+    const dual::StructureFormat& format = dual::structure_format(name);
+    dual::write_structure(folder / ("shell" + format.extensions.front()), structure,
+                          {.digits = options.digits, .atom_style = options.atom_style});
+  }
   dual::write_energy_ply(folder / "energy.ply", result.shell.structure, result.energy.energies,
                          {.scale = result.after.find("energy")->scale});
   dual::write_vtp(folder / "energy.vtp", result.after);

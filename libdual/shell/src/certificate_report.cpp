@@ -77,6 +77,7 @@ Json Certificate::json() const {
                {"smallest_angle", angle_json(shell.smallest_angle)},
                {"largest_angle", angle_json(shell.largest_angle)},
                {"closest_non_bonded", pair_json(shell.closest_non_bonded)},
+               {"bonds_from", bonds == BondSource::file ? "file" : "distance"},
                {"potential", potential},
                {"energy", energy.energy},
                {"energy_per_atom", summary.mean},
@@ -99,6 +100,9 @@ Json Certificate::json() const {
 
 std::vector<dual::TableRow> Certificate::rows() const {
   std::vector<dual::TableRow> rows = topology_rows(shell);
+  rows.push_back({"bonds are found", bonds == BondSource::file
+                                         ? "by distance, and compared with those of the file"
+                                         : "by distance; the file has none"});
   append(rows, energy_rows(*this));
   if (surface_distance) {
     rows.push_back({"to the surface [Å]", "rms " + decimals(surface_distance->rms, 3) +

@@ -170,6 +170,7 @@ Certificate certify(const dual::Structure& structure, const CertifyOptions& opti
   check_options(options);
   Certificate certificate;
   certificate.potential = options.potential.name;
+  certificate.bonds = structure.bonds.empty() ? BondSource::distance : BondSource::file;
   check_topology(structure, options.edge, certificate);
   check_energies(structure, options, certificate);
   if (options.surface && structure.atoms.size() > 0) {

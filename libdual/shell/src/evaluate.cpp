@@ -45,6 +45,7 @@ Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Evaluation evaluate(dual::Structure structure, const EvaluateOptions& options) {
   if (options.n_worst < 0) throw dual::InvalidOption("evaluate: n_worst must be >= 0");
   Evaluation result = {.potential = options.potential.name, .forces = options.forces};
+  if (structure.bonds.empty()) result.bonds = BondSource::distance;
   result.energy = energy_of(structure.atoms, options);
   result.summary = dual::summarize_energies(result.energy.energies, options.n_worst);
   result.state = dual::shell_state("atoms", std::move(structure));
@@ -56,6 +57,7 @@ dual::Structure Evaluation::structure() const {
   dual::Structure structure = state.structure;
   dual::replace_columns(structure, dual::network_columns(structure));
   dual::add_energies(structure, energy);
+  if (bonds == BondSource::distance) structure.bonds.clear();
   if (forces == ForceReport::none) {
     std::erase_if(structure.columns,
                   [](const dual::Column& column) { return column.name == "forces"; });
@@ -78,6 +80,7 @@ Json Evaluation::json() const {
                              {"energy", energy.energies[atom]},
                              {"position", vector_json(state.structure.atoms.positions[atom])}});
   }
+  json["bonds_from"] = bonds == BondSource::file ? "file" : "distance";
   json["coordinations"] = histogram_json(coordinations_of(state));
   json["ring_sizes"] = histogram_json(state.ring_sizes);
   if (forces == ForceReport::none) return json;
@@ -104,6 +107,7 @@ std::vector<dual::TableRow> Evaluation::rows() const {
                     decimals(energy.energies[atom], 4) + " eV at " + decimals(position.x(), 3) +
                         " " + decimals(position.y(), 3) + " " + decimals(position.z(), 3)});
   }
+  rows.push_back({"bonds", bonds == BondSource::file ? "as the file says" : "found by distance"});
   rows.push_back({"atoms by bonds", histogram_text(coordinations_of(state))});
   rows.push_back({"rings by size", histogram_text(state.ring_sizes)});
   if (forces == ForceReport::all) {

@@ -19,6 +19,7 @@
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/lammps_frame.h"
 #include "trivalent/remesh/whole_file.h"
 
 namespace trivalent::shell {
@@ -115,6 +116,15 @@ void read_dump(const fs::path& path, potentials::RelaxResult& result) {
   }
 }
 
+/// From LAMMPS's frame to the one of the atoms that were given.
+void take_back(const dual::LammpsFrame& frame, const potentials::Box& before,
+               potentials::RelaxResult& result) {
+  result.atoms.box = frame.back(result.atoms.box, before);
+  if (!frame.is_rotated()) return;
+  for (Eigen::Vector3d& x : result.atoms.positions) x = frame.back(x);
+  for (Eigen::Vector3d& force : result.result.forces) force = frame.back(force);
+}
+
 double largest_force(const std::vector<Eigen::Vector3d>& forces,
                      const std::vector<std::uint32_t>& fixed) {
   double largest = 0.0;
@@ -160,18 +170,20 @@ potentials::RelaxResult run_lammps(const potentials::Atoms& atoms, const LammpsT
                                    const LammpsOptions& options) {
   const fs::path folder =
       make_folder_of_our_own(task.folder.value_or(fs::temp_directory_path() / "trivalent-lammps"));
-  write_input(atoms, task, folder, options);
+  const dual::LammpsFrame frame = dual::lammps_frame(atoms);
+  write_input(frame.atoms, task, folder, options);
   LammpsOutput output(task);
   if (run_and_listen(folder, options.ranks, output) != 0) {
     throw dual::Error("LAMMPS failed: " + output.complaint() + " (its files are in " +
                       folder.string() + ")");
   }
   potentials::RelaxResult result;
-  result.atoms = atoms;
+  result.atoms = frame.atoms;
   result.steps = output.steps();
   result.evaluations = output.evaluations();
   read_dump(folder / "result.dump", result);
   if (task.relax_box) output.read_box(result.atoms.box);
+  take_back(frame, atoms.box, result);
   result.largest_force = largest_force(result.result.forces, task.fixed);
   result.converged = result.largest_force <= task.max_force;
   result.end = result.converged ? potentials::RelaxEnd::at_rest : potentials::RelaxEnd::no_descent;

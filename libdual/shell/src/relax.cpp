@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "relax_files.h"
+#include "trivalent/dual/bonding.h"
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
@@ -144,6 +145,15 @@ potentials::RelaxResult relax_with_lammps(const potentials::Atoms& atoms,
                     run);
 }
 
+/// Coordinations and rings as they are now; of a file without bonds, those of a former geometry.
+void update_network_columns(dual::Structure& structure) {
+  dual::Structure network = {
+      .atoms = structure.atoms, .bonds = structure.bonds, .rings = std::move(structure.rings)};
+  dual::add_missing_network(network);
+  dual::replace_columns(structure, dual::network_columns(network));
+  structure.rings = std::move(network.rings);
+}
+
 }  // namespace
 
 RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
@@ -162,6 +172,7 @@ RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   result.notes = relax_notes(result.report, result.relaxed);
   const std::vector<Eigen::Vector3d> before = std::move(structure.atoms.positions);
   structure.atoms = result.relaxed.atoms;
+  update_network_columns(structure);
   dual::add_energies(structure, result.relaxed.result);
   dual::add_displacements(structure, before);
   result.structure = std::move(structure);

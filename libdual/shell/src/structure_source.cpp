@@ -1,25 +1,12 @@
 #include "trivalent/shell/structure_source.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/padded_box.h"
-#include "trivalent/formats/lammps_data.h"
-#include "trivalent/formats/xyz.h"
 #include "trivalent/remesh/mesh_io.h"
 
 namespace trivalent::shell {
 namespace {
-
-/// In lower case; of "a.data.gz" it is ".data".
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".gz" ? extension_of(path.stem()) : extension;
-}
 
 dual::StructureFile read_mesh_dual(const std::filesystem::path& path, const dual::DualSize& size) {
   remesh::MeshFile file = remesh::read_mesh(path);
@@ -30,11 +17,32 @@ dual::StructureFile read_mesh_dual(const std::filesystem::path& path, const dual
   return {.structure = std::move(structure), .notes = std::move(file.notes)};
 }
 
-dual::StructureFile read_file(const std::filesystem::path& path, const dual::DualSize& size) {
-  const std::string extension = extension_of(path);
-  if (extension == ".extxyz" || extension == ".xyz") return dual::read_xyz(path);
-  if (extension == ".data" || extension == ".lmp") return dual::read_lammps_data(path);
-  return read_mesh_dual(path, size);
+/// The format that is asked for; none: the file is a mesh.
+const dual::StructureFormat* choose_format(const std::filesystem::path& path,
+                                           const StructureOptions& options) {
+  if (options.format) return &dual::structure_format(*options.format);
+  if (path == "-") {
+    throw dual::InvalidOption("standard input has no name that tells its format; --format does");
+  }
+  return dual::find_structure_format(path);
+}
+
+bool is_given(const dual::ReadOptions& reading) {
+  return !reading.elements.empty() || reading.frame || reading.atom_style;
+}
+
+dual::StructureFile read_file(const std::filesystem::path& path, const StructureOptions& options) {
+  const dual::StructureFormat* format = choose_format(path, options);
+  if (format != nullptr && format->read != nullptr) return format->read(path, options.reading);
+  if (format != nullptr) {
+    throw dual::InvalidOption("the format " + format->name + " can only be written");
+  }
+  if (is_given(options.reading)) {
+    throw dual::InvalidOption(path.string() +
+                              " is not a file of atoms by its name: elements, atom style and frame "
+                              "mean nothing for a mesh (--format names the format)");
+  }
+  return read_mesh_dual(path, options.size);
 }
 
 /// A bond does not lead across a boundary that is none.
@@ -51,7 +59,7 @@ void set_periodic(dual::Structure& structure, const std::array<bool, 3>& periodi
 
 dual::StructureFile read_structure(const std::filesystem::path& path,
                                    const StructureOptions& options) {
-  dual::StructureFile file = read_file(path, options.size);
+  dual::StructureFile file = read_file(path, options);
   if (options.periodic) set_periodic(file.structure, *options.periodic);
   return file;
 }

@@ -282,6 +282,10 @@ PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) 
   return soup;
 }
 
+bool has_mesh_extension(const fs::path& path) {
+  return kind_by_extension({.bytes = {}, .name = path.string()}).has_value();
+}
+
 PolygonSoup read_polygon_soup(const fs::path& path) {
   return parse_polygon_soup(read_bytes(path), path.string());
 }

@@ -43,6 +43,9 @@ struct TriangleSoup {
 /// stands in messages. Needs no more memory than a small multiple of the (unpacked) bytes.
 [[nodiscard]] PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name);
 
+/// Whether a file's name has an extension that read_polygon_soup knows.
+[[nodiscard]] bool has_mesh_extension(const std::filesystem::path& path);
+
 /// Splits polygons into triangles: quads along the shorter diagonal that lies inside, convex
 /// polygons into fans, others by cutting off ears in their mean plane. Repeated corners are merged,
 /// and polygons left with fewer than three dropped; all is noted.

@@ -11,15 +11,10 @@
 #include "trivalent/dual/structure.h"
 #include "trivalent/formats/digits.h"
 #include "trivalent/formats/structure_file.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/potentials/atoms.h"
 
 namespace trivalent::dual {
-
-/// LAMMPS's atom_style: which columns the section Atoms has.
-enum class AtomStyle {
-  atomic,    ///< id type x y z
-  molecular  ///< id molecule type x y z, and a section Bonds
-};
 
 /// Atoms [begin, end).
 struct AtomRange {
@@ -28,7 +23,7 @@ struct AtomRange {
 };
 
 struct LammpsDataOptions {
-  AtomStyle style = AtomStyle::atomic;  ///< atomic leaves the bonds out
+  AtomStyle style = AtomStyle::atomic;  ///< atomic (leaves the bonds out) or molecular
   bool angles = false;                  ///< molecular style: also all pairs of bonds at an atom
   Digits digits = Digits::ten_decimals;
   std::string title =
@@ -38,7 +33,7 @@ struct LammpsDataOptions {
 };
 
 /// LAMMPS as distributions build it counts atoms with 32 bits.
-inline constexpr std::uint64_t most_lammps_atoms = 2147483647;
+inline constexpr std::uint64_t max_lammps_atoms = 2147483647;
 
 /// @throws InvalidNetwork if there are more atoms than that.
 void require_lammps_ids(std::uint64_t atoms);
@@ -48,9 +43,9 @@ void require_lammps_ids(std::uint64_t atoms);
 ///
 /// @throws InvalidNetwork if a coordinate is not finite, species are not one per atom, a bond names
 ///   an atom that does not exist, or there are too many atoms.
-/// @throws InvalidOption  if the box's cell is not LAMMPS's (a along x, b in the xy plane, a
-///   right-handed cell, tilts of at most half a side), the title is too long or not one line, or a
-///   part is not one of the atoms or asked for in molecular style.
+/// @throws InvalidOption  if the box does not fit LAMMPS (see lammps_frame.h), the style is read
+///   only, the title is too long or not one line, or a part is not one of the atoms or asked for in
+///   molecular style.
 void write_lammps_data(std::ostream& out, const Structure& structure,
                        const LammpsDataOptions& options = {});
 
@@ -60,15 +55,20 @@ void write_lammps_data(std::ostream& out, const Structure& structure,
 void write_lammps_data(const std::filesystem::path& path, const Structure& structure,
                        const LammpsDataOptions& options = {});
 
-/// Reads a data file of atom_style atomic, charge, molecular or full, also compressed with gzip.
-/// Elements come from the masses. Atoms are ordered by id; velocities and everything about force
-/// fields is left out and noted. A data file does not say which directions are periodic: the box is
-/// taken as periodic in all three, as LAMMPS does unless it is told otherwise. Bonds lead to the
-/// nearest periodic image.
+/// Reads a data file of atom_style atomic, charge, bond, angle, molecular or full, also compressed
+/// with gzip, also from standard input ("-").
 ///
-/// @throws FileError if the file is missing, unreadable, cut short or malformed, has another
-/// atom_style,
-///   masses of other elements than C and H, or atoms twice; the message names the line.
-[[nodiscard]] StructureFile read_lammps_data(const std::filesystem::path& path);
+/// Elements come from the options, the masses or the type labels; a single type without any is
+/// carbon, which is noted. Atoms are ordered by id; velocities and everything about force fields is
+/// left out and noted. A data file does not say which directions are periodic: the box is taken as
+/// periodic in all three, as LAMMPS does unless it is told otherwise. Bonds lead to the nearest
+/// periodic image.
+///
+/// @throws FileError if the file is missing, unreadable, cut short or malformed, has a line in its
+///   header that LAMMPS does not know, another atom_style or one that cannot be told, other units
+///   than metal or real in its title, a mass that contradicts its comment or label, masses of other
+///   elements than C and H, or atoms twice; the message names the line.
+[[nodiscard]] StructureFile read_lammps_data(const std::filesystem::path& path,
+                                             const ReadOptions& options = {});
 
 }  // namespace trivalent::dual

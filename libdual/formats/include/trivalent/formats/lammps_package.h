@@ -18,18 +18,24 @@ struct LammpsPackageOptions {
   std::size_t atoms_per_file = 50'000'000;  ///< >= 1; more atoms go into several files
 };
 
+/// What write_lammps_package has written.
+struct LammpsPackage {
+  std::vector<std::string> files;  ///< in the folder
+  Eigen::Matrix3d rotation;        ///< of the atoms, to LAMMPS's frame; see LammpsFrame
+};
+
 /// Writes a folder with which LAMMPS can start: the data file (several if there are many atoms),
 /// the input scripts in.check, in.relax and in.md (see lammps_deck.h), and a README.md that says
-/// how to run them.
+/// how to run them. Atoms whose box LAMMPS does not take are written in its frame (lammps_frame.h);
+/// the README says by which rotation.
 ///
 /// @param folder  exists
 /// @param energy  of the atoms under REBO [eV], for in.check
-/// @return the names of the files, in the folder.
 /// @throws InvalidNetwork, InvalidOption as write_lammps_data and write_lammps_check; InvalidOption
-///   also if atoms_per_file is 0, or the atoms need several files in molecular style.
+///   also if atoms_per_file is 0, the atoms need several files in molecular style, or there are no
+///   bonds for it.
 /// @throws FileError if a file cannot be written.
-std::vector<std::string> write_lammps_package(const std::filesystem::path& folder,
-                                              const Structure& structure, double energy,
-                                              const LammpsPackageOptions& options = {});
+LammpsPackage write_lammps_package(const std::filesystem::path& folder, const Structure& structure,
+                                   double energy, const LammpsPackageOptions& options = {});
 
 }  // namespace trivalent::dual

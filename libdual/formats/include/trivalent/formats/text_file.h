@@ -18,7 +18,8 @@ struct TextSource {
   std::filesystem::path path;
 };
 
-/// The whole content of a file; gzip is unpacked on the way.
+/// The whole content of a file, or of standard input if the path is "-"; gzip is unpacked and a
+/// byte order mark removed on the way.
 ///
 /// @throws FileError if the file is missing, unreadable, or packed to fill the memory: from 64 MB
 ///   on, it may not unpack to more than 200 times its size.
@@ -27,9 +28,10 @@ struct TextSource {
 /// A text line by line, and numbers out of its fields. Every complaint names file and line.
 class LineReader {
  public:
-  LineReader(std::string_view text, TextSource source) : text_(text), source_(std::move(source)) {}
+  LineReader(std::string_view text, TextSource source);
 
-  /// The next line without its end (\n or \r\n); none at the end of the text.
+  /// The next line without its end (\n, \r\n, or \r in a text without \n); none at the end of the
+  /// text.
   [[nodiscard]] std::optional<std::string_view> next();
   /// The next line, which must exist; what says what it should hold.
   [[nodiscard]] std::string_view require(std::string_view what);
@@ -38,6 +40,8 @@ class LineReader {
 
   /// Reads a finite number.
   [[nodiscard]] double real(std::string_view field) const;
+  /// The same, also with an exponent of Fortran: 1.5D-3.
+  [[nodiscard]] double fortran_real(std::string_view field) const;
   /// Reads an integer from low to high.
   [[nodiscard]] std::int64_t integer(std::string_view field, std::int64_t low,
                                      std::int64_t high) const;
@@ -57,6 +61,7 @@ class LineReader {
  private:
   std::string_view text_;
   TextSource source_;
+  char line_end_;
   std::size_t position_ = 0;
   std::size_t line_number_ = 0;
 };
@@ -68,7 +73,7 @@ void split_fields(std::string_view line, std::vector<std::string_view>& fields);
 [[nodiscard]] std::optional<double> finite_number(std::string_view text);
 
 /// A piece of a file as it may appear in a message: short and printable.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Appends numbers to a line that is being composed.
 void append_real(std::string& line, double value, Digits digits);

@@ -7,11 +7,14 @@
 #include "trivalent/dual/structure.h"
 #include "trivalent/formats/digits.h"
 #include "trivalent/formats/structure_file.h"
+#include "trivalent/formats/structure_format.h"
 
 namespace trivalent::dual {
 
-/// Writes extended XYZ: Lattice, Properties and pbc, then `species pos` and the columns. Atoms that
-/// are periodic in no direction and have no box get a padded one.
+/// Writes extended XYZ: Lattice, Properties and pbc, then `species pos` and the columns. Bonds, if
+/// they are known, come last, as bonded_atoms (indices from 0, -1 where there is none) and, in a
+/// periodic box, bonded_images (three cell vectors each). Atoms that are periodic in no direction
+/// and have no box get a padded one.
 ///
 /// @throws InvalidNetwork if a coordinate is not finite, or species or a column does not have one
 ///   entry per atom.
@@ -24,13 +27,19 @@ void write_xyz(std::ostream& out, const Structure& structure, Digits digits = Di
 void write_xyz(const std::filesystem::path& path, const Structure& structure,
                Digits digits = Digits::ten_decimals);
 
-/// Reads the first structure of an XYZ or extended XYZ file, also compressed with gzip. Columns of
-/// text, or of other than 1 or 3 components, are left out and noted, as are further structures.
-/// Without pbc a Lattice is periodic in all directions; without Lattice there is no box.
+/// Reads a structure of an XYZ or extended XYZ file [extxyz], also compressed with gzip, also from
+/// standard input ("-").
 ///
-/// @throws FileError if the file is missing, unreadable, cut short or malformed, holds a number
-/// that
-///   is not finite, or elements other than C and H; the message names the line.
-[[nodiscard]] StructureFile read_xyz(const std::filesystem::path& path);
+/// Keys of the structure (Lattice, Origin, Properties, pbc) may be in any case; without pbc a
+/// Lattice is periodic in all directions; without Lattice there is no box. Elements are symbols,
+/// atomic numbers, or LAMMPS's types of which the options name the elements. The columns
+/// bonded_atoms and bonded_images, which write_xyz() writes, become bonds. Columns of text or
+/// booleans, or of other than 1 or 3 components, are left out and noted.
+///
+/// @throws FileError if the file is missing, unreadable, cut short or malformed, lacks the wanted
+///   structure, holds a number that is not finite, a key that seems to be a misspelled one of the
+///   structure, or elements other than C and H; the message names the line.
+[[nodiscard]] StructureFile read_xyz(const std::filesystem::path& path,
+                                     const ReadOptions& options = {});
 
 }  // namespace trivalent::dual

@@ -20,7 +20,9 @@ namespace trivalent::dual {
 /// Appends columns; older ones of the same names are removed.
 void replace_columns(Structure& structure, std::vector<Column> columns);
 
-/// Puts energies and forces into columns and the total [eV] into the header, instead of older ones.
+/// Puts energies and forces into columns and the total [eV] into the header. All results of former
+/// calculations go (also stress, virial, dipole, charges, magnetic moments): they were found by
+/// another potential, or for other positions.
 void add_energies(Structure& structure, const potentials::EnergyForces& result);
 
 /// Adds the column `displacement` [Å]: from where the atoms were to where they are.

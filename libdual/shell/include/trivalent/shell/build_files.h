@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/shell/build.h"
 
 namespace trivalent::shell {
@@ -13,13 +13,16 @@ namespace trivalent::shell {
 struct BuildFileOptions {
   dual::Digits digits = dual::Digits::ten_decimals;
   dual::AtomStyle atom_style = dual::AtomStyle::atomic;
+  /// Names of structure_formats(), in which shell.EXTENSION is written beside extended XYZ.
+  std::vector<std::string> formats = {};
 };
 
 /// Writes what belongs to the shell itself: surface.off, shell.extxyz, the files of
-/// write_lammps_package, energy.ply and energy.vtp.
+/// write_lammps_package, energy.ply and energy.vtp, and the shell in further formats.
 ///
 /// @param folder  exists
 /// @throws remesh::FileError if a file cannot be written
+/// @throws dual::InvalidOption if a format is unknown or can only be read
 void write_build(const std::filesystem::path& folder, const BuildResult& result,
                  const BuildFileOptions& options = {});
 

@@ -12,6 +12,7 @@
 #include "trivalent/shell/json.h"
 #include "trivalent/shell/lammps_run.h"
 #include "trivalent/shell/potential_choice.h"
+#include "trivalent/shell/reports.h"
 #include "trivalent/view/table_row.h"
 
 namespace trivalent::shell {
@@ -48,6 +49,7 @@ struct DistanceSummary {
 /// What was found of the atoms, and what of it is wrong.
 struct Certificate {
   std::string potential = {};
+  BondSource bonds = BondSource::file;  ///< file: its bonds were compared with those by distance
   dual::ShellReport shell = {};
   potentials::EnergyForces energy = {};
   dual::EnergySummary summary = {};

@@ -10,6 +10,7 @@
 #include "trivalent/shell/json.h"
 #include "trivalent/shell/lammps_run.h"
 #include "trivalent/shell/potential_choice.h"
+#include "trivalent/shell/reports.h"
 #include "trivalent/view/shell_state.h"
 #include "trivalent/view/table_row.h"
 
@@ -32,8 +33,10 @@ struct Evaluation {
   potentials::EnergyForces energy = {};
   dual::EnergySummary summary = {};
   ForceReport forces = ForceReport::none;  ///< in json(), rows() and structure()
+  BondSource bonds = BondSource::file;
 
-  /// The structure with coordinations, rings, energies and, if they are reported, forces.
+  /// The structure with coordinations, rings, energies and, if they are reported, forces; bonds are
+  /// only in it if they are known.
   [[nodiscard]] dual::Structure structure() const;
   [[nodiscard]] Json json() const;
   [[nodiscard]] std::vector<dual::TableRow> rows() const;

@@ -15,6 +15,12 @@
 
 namespace trivalent::shell {
 
+/// Where the bonds of a structure come from.
+enum class BondSource {
+  file,     ///< they are known
+  distance  ///< they were found by distance, as dual::find_bonds()
+};
+
 using dual::TableRow;
 
 // Numbers of the libraries as JSON; lengths are in the unit of what was measured.

@@ -1,0 +1,119 @@
+#include "trivalent/formats/structure_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ostream>
+
+#include "gzip_stream.h"
+#include "trivalent/formats/elements.h"
+#include "trivalent/formats/lammps_data.h"
+#include "trivalent/formats/lammps_frame.h"
+#include "trivalent/formats/xyz.h"
+#include "trivalent/remesh/polygon_soup.h"
+#include "trivalent/remesh/whole_file.h"
+
+namespace trivalent::dual {
+namespace {
+
+/// The name of the file in lower case, without .gz.
+std::string plain_name(const std::filesystem::path& path) {
+  std::string name = lower_case(path.filename().string());
+  if (name.ends_with(".gz")) name.resize(name.size() - 3);
+  return name;
+}
+
+bool is_compressed(const std::filesystem::path& path) {
+  return lower_case(path.extension().string()) == ".gz";
+}
+
+/// The rows of a rotation, for the title of a file.
+std::string rotation_text(const Eigen::Matrix3d& rotation) {
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      std::array<char, 16> number = {};
+      std::snprintf(number.data(), number.size(), "%.8f", rotation(row, column));
+      text += concat(text.empty() ? "" : " ", number.data());
+    }
+  }
+  return text;
+}
+
+void write_data(std::ostream& out, const Structure& structure, const WriteOptions& options) {
+  LammpsDataOptions data = {.style = options.atom_style, .digits = options.digits};
+  LammpsFrame frame = lammps_frame(structure.atoms);
+  if (frame.is_rotated()) data.title += ", rotated by " + rotation_text(frame.rotation);
+  write_lammps_data(out, {.atoms = std::move(frame.atoms), .bonds = structure.bonds}, data);
+}
+
+}  // namespace
+
+std::vector<StructureFormat>& structure_formats() {
+  static std::vector<StructureFormat> formats = {
+      {.name = "extxyz",
+       .extensions = {".extxyz", ".xyz"},
+       .read = read_xyz,
+       .write = [](std::ostream& out, const Structure& structure,
+                   const WriteOptions& options) { write_xyz(out, structure, options.digits); }},
+      {.name = "lammps-data",
+       .extensions = {".data", ".lmp", ".lammps-data"},
+       .prefixes = {"data."},
+       .read = read_lammps_data,
+       .write = write_data},
+  };
+  return formats;
+}
+
+const StructureFormat& structure_format(const std::string& name) {
+  std::string known;
+  for (const StructureFormat& format : structure_formats()) {
+    if (format.name == name) return format;
+    known += (known.empty() ? "" : ", ") + format.name;
+  }
+  throw InvalidOption(concat("there is no format '", name, "' of atoms; known are ", known));
+}
+
+const StructureFormat* find_structure_format(const std::filesystem::path& path) {
+  const std::string name = plain_name(path);
+  const auto ends = [&](const std::string& extension) { return name.ends_with(extension); };
+  const auto begins = [&](const std::string& prefix) { return name.starts_with(prefix); };
+  for (const StructureFormat& format : structure_formats()) {
+    if (std::ranges::any_of(format.extensions, ends)) return &format;
+  }
+  if (remesh::has_mesh_extension(path)) return nullptr;  // data.ply is a mesh
+  for (const StructureFormat& format : structure_formats()) {
+    if (std::ranges::any_of(format.prefixes, begins)) return &format;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> structure_extensions() {
+  std::vector<std::string> extensions;
+  for (const StructureFormat& format : structure_formats()) {
+    if (format.write == nullptr) continue;
+    extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+  }
+  return extensions;
+}
+
+void write_structure(const std::filesystem::path& path, const Structure& structure,
+                     const WriteOptions& options) {
+  const StructureFormat* format = find_structure_format(path);
+  if (format == nullptr || format->write == nullptr) {
+    throw InvalidOption(concat("write_structure: no format of atoms has the name of ",
+                               path.string()));
+  }
+  remesh::write_whole_file(path, [&](std::ostream& file) {
+    if (!is_compressed(path)) {
+      format->write(file, structure, options);
+      return;
+    }
+    GzipBuffer buffer(file);
+    std::ostream out(&buffer);
+    format->write(out, structure, options);
+    buffer.finish();
+  });
+}
+
+}  // namespace trivalent::dual
