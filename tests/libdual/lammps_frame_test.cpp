@@ -49,10 +49,9 @@ Atoms variant_of(Atoms atoms, std::mt19937& random) {
   }
   if (whole(random) > 0) combination.col(0) *= -1.0;
   atoms.box.cell *= combination;
-  const Matrix3d turn =
-      Eigen::Quaterniond(real(random), real(random), real(random), real(random))
-          .normalized()
-          .toRotationMatrix();
+  const Matrix3d turn = Eigen::Quaterniond(real(random), real(random), real(random), real(random))
+                            .normalized()
+                            .toRotationMatrix();
   atoms.box.cell = turn * atoms.box.cell;
   for (Vector3d& x : atoms.positions) x = turn * x;
   for (int i = 0; i < 3; ++i) {

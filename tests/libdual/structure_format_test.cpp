@@ -124,7 +124,8 @@ TEST(StructureFormats, ReadBackWhatTheyWrite) {
       EXPECT_EQ(shell::read_structure(path).structure.atoms.positions, c20().atoms.positions);
       const auto renamed = folder.path() / "renamed";
       std::filesystem::rename(path, renamed);
-      EXPECT_EQ(shell::read_structure(renamed, {.format = format.name}).structure.atoms.size(), 20u);
+      EXPECT_EQ(shell::read_structure(renamed, {.format = format.name}).structure.atoms.size(),
+                20u);
     }
   }
 }

@@ -17,9 +17,7 @@ using potentials::Bond;
 /// One entry of the columns: an atom, the atom it is bonded to, and the image of that.
 using Entry = std::array<std::int32_t, 5>;
 
-Entry reversed(const Entry& entry) {
-  return {entry[1], entry[0], -entry[2], -entry[3], -entry[4]};
-}
+Entry reversed(const Entry& entry) { return {entry[1], entry[0], -entry[2], -entry[3], -entry[4]}; }
 
 /// The entries, ordered; or what is wrong with them.
 struct Entries {
@@ -97,8 +95,7 @@ BondColumns bond_columns(const Structure& structure) {
   return columns;
 }
 
-void take_bonds(const BondColumns& columns, Structure& structure,
-                std::vector<std::string>& notes) {
+void take_bonds(const BondColumns& columns, Structure& structure, std::vector<std::string>& notes) {
   Entries entries = read_entries(columns, structure.atoms.size());
   if (!entries.fault) entries.fault = find_asymmetry(entries.all);
   if (entries.fault) {
@@ -114,7 +111,8 @@ void take_bonds(const BondColumns& columns, Structure& structure,
   }
   if (structure.atoms.box.is_periodic()) {
     if (const int n_mended = mend_images(structure.atoms, bonds); n_mended > 0) {
-      notes.push_back(concat(n_mended, " bonds of the file lead to images that do not fit the "
+      notes.push_back(concat(n_mended,
+                             " bonds of the file lead to images that do not fit the "
                              "positions; the nearest are taken"));
     }
   }

@@ -50,8 +50,7 @@ bool is_element_symbol(std::string_view word) {
   if (word.empty() || word.size() > 2) return false;
   const bool is_known = std::ranges::any_of(
       known_species, [&](const SpeciesData& known) { return known.symbol == word; });
-  return is_known ||
-         other_symbols.find(" " + std::string(word) + " ") != std::string_view::npos;
+  return is_known || other_symbols.find(" " + std::string(word) + " ") != std::string_view::npos;
 }
 
 std::string_view symbol_of(potentials::Species species) {

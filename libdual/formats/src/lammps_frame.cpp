@@ -50,7 +50,8 @@ Matrix3d with_right_angles(const Box& box) {
   return cell;
 }
 
-/// Turns the last vector round if the cell is left-handed; one that is not periodic if there is one.
+/// Turns the last vector round if the cell is left-handed; one that is not periodic if there is
+/// one.
 void make_right_handed(const Box& box, Matrix3d& cell, Matrix3d& combination) {
   if (cell.determinant() > 0.0) return;
   int turned = 2;

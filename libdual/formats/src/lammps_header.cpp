@@ -104,7 +104,8 @@ void LammpsHeader::check(const LineReader& reader) const {
     reader.fail("the file declares ", count(rows), ' ', rows, ", but only ", reader.n_remaining(),
                 " bytes follow; it is cut short or the count is wrong");
   }
-  const auto n_vectors = std::ranges::count_if(vectors_, [](const auto& v) { return v.has_value(); });
+  const auto n_vectors =
+      std::ranges::count_if(vectors_, [](const auto& v) { return v.has_value(); });
   const auto n_sides = std::ranges::count_if(sides_, [](const auto& s) { return s.has_value(); });
   if (n_vectors > 0 && (n_sides > 0 || tilts_)) {
     reader.fail("the header has both avec, bvec, cvec and xlo xhi or xy xz yz");

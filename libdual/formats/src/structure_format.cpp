@@ -101,8 +101,8 @@ void write_structure(const std::filesystem::path& path, const Structure& structu
                      const WriteOptions& options) {
   const StructureFormat* format = find_structure_format(path);
   if (format == nullptr || format->write == nullptr) {
-    throw InvalidOption(concat("write_structure: no format of atoms has the name of ",
-                               path.string()));
+    throw InvalidOption(
+        concat("write_structure: no format of atoms has the name of ", path.string()));
   }
   remesh::write_whole_file(path, [&](std::ostream& file) {
     if (!is_compressed(path)) {

@@ -16,9 +16,8 @@ constexpr std::array<std::string_view, 4> structural_keys = {"lattice", "origin"
                                                              "pbc"};
 
 // What programs and people call the cell elsewhere.
-constexpr std::array<std::string_view, 6> cell_names = {"cell",         "unit_cell", "cell_vectors",
-                                                        "unitcell",     "lattice_vectors",
-                                                        "lattice_vector"};
+constexpr std::array<std::string_view, 6> cell_names = {
+    "cell", "unit_cell", "cell_vectors", "unitcell", "lattice_vectors", "lattice_vector"};
 
 /// Number of letters to insert, remove or exchange to get from one word to another [Levenshtein].
 std::size_t distance_between(std::string_view a, std::string_view b) {

@@ -20,10 +20,10 @@ struct RoleName {
   Role role;
 };
 constexpr std::array role_names = {
-    RoleName{"species", 'S', 1, Role::element},   RoleName{"element", 'S', 1, Role::element},
-    RoleName{"symbols", 'S', 1, Role::element},   RoleName{"z", 'I', 1, Role::element},
-    RoleName{"numbers", 'I', 1, Role::element},   RoleName{"atomic_numbers", 'I', 1, Role::element},
-    RoleName{"pos", 'R', 3, Role::position},      RoleName{"positions", 'R', 3, Role::position},
+    RoleName{"species", 'S', 1, Role::element}, RoleName{"element", 'S', 1, Role::element},
+    RoleName{"symbols", 'S', 1, Role::element}, RoleName{"z", 'I', 1, Role::element},
+    RoleName{"numbers", 'I', 1, Role::element}, RoleName{"atomic_numbers", 'I', 1, Role::element},
+    RoleName{"pos", 'R', 3, Role::position},    RoleName{"positions", 'R', 3, Role::position},
 };
 
 Role role_of(std::string_view name, char type, std::size_t n_fields) {

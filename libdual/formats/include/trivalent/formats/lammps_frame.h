@@ -28,15 +28,16 @@ struct LammpsFrame {
   [[nodiscard]] Eigen::Vector3d back(const Eigen::Vector3d& vector) const {
     return rotation.transpose() * vector;
   }
-  /// A box of LAMMPS's frame likewise; `before` is the one that was given, and stays where it is not
-  /// periodic.
+  /// A box of LAMMPS's frame likewise; `before` is the one that was given, and stays where it is
+  /// not periodic.
   [[nodiscard]] potentials::Box back(const potentials::Box& box,
                                      const potentials::Box& before) const;
 };
 
 /// The atoms with a box that LAMMPS takes; unchanged if it takes theirs.
 ///
-/// @throws InvalidOption if periodic cell vectors are zero, not finite, or lie in one plane or line.
+/// @throws InvalidOption if periodic cell vectors are zero, not finite, or lie in one plane or
+/// line.
 [[nodiscard]] LammpsFrame lammps_frame(const potentials::Atoms& atoms);
 
 }  // namespace trivalent::dual
