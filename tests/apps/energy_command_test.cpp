@@ -47,7 +47,7 @@ TEST_F(EnergyCommand, ReadsAtomsWhoseFormatIsNamed) {
   write("plain", content("s.extxyz"));
   EXPECT_NEAR(succeed("energy plain --format extxyz --json").json()["energy"], energy, tolerance);
   const Outcome piped =
-      shell("cat s.extxyz | " TRIVALENT_PROGRAM " energy - --format extxyz --json");
+      shell("{ cat s.extxyz | " TRIVALENT_PROGRAM " energy - --format extxyz --json; }");
   ASSERT_EQ(piped.exit_code, 0) << piped.err;
   EXPECT_NEAR(piped.json()["energy"], energy, tolerance);
   expect_failure(2, "--format does", "energy -");
