@@ -3,11 +3,9 @@
 #include "files.h"
 #include "session.h"
 #include "size_options.h"
-#include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/columns.h"
 #include "trivalent/dual/network_checks.h"
-#include "trivalent/dual/padded_box.h"
 #include "trivalent/formats/structure_format.h"
+#include "trivalent/shell/mesh_dual.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
 
@@ -21,14 +19,6 @@ Grammar grammar_of_dual() {
   return grammar;
 }
 
-/// Atoms as a file holds them.
-dual::Structure structure_of(const remesh::TriMesh& mesh) {
-  dual::Structure structure = dual::build_dual(mesh);
-  structure.atoms.box = dual::padded_box(structure.atoms.positions);
-  dual::replace_columns(structure, dual::network_columns(structure));
-  return structure;
-}
-
 int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
   if (!session) return done;
@@ -40,8 +30,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
 
   remesh::TriMesh mesh = read_mesh_file(session->get<std::string>("MESH"), session->terminal);
   const double scale = dual::scale_for_size(mesh, size);
-  remesh::scale(mesh, scale);
-  const dual::Structure structure = structure_of(mesh);
+  const dual::Structure structure = shell::structure_of(std::move(mesh), size);
   dual::write_structure(output, structure, options);
 
   const dual::NetworkReport report = dual::check_network(structure);

@@ -149,7 +149,7 @@ std::vector<std::string> lammps_package(const StructurePointer& structure,
   const py::gil_scoped_release released;
   const double energy = potentials::rebo(structure->atoms).energy;
   std::filesystem::create_directories(folder);
-  return dual::write_lammps_package(folder, *structure, energy, options);
+  return dual::write_lammps_package(folder, *structure, energy, options).files;
 }
 
 }  // namespace

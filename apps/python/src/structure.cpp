@@ -9,8 +9,7 @@
 #include "module.h"
 #include "options.h"
 #include "trivalent/dual/structure.h"
-#include "trivalent/formats/lammps_data.h"
-#include "trivalent/formats/xyz.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/shell/option_names.h"
 #include "trivalent/shell/structure_source.h"
 
@@ -145,18 +144,17 @@ py::tuple read(const std::filesystem::path& path, const py::dict& values) {
 
 void write(const Structure& structure, const std::filesystem::path& path, const py::dict& values) {
   const Options given(values);
-  dual::LammpsDataOptions options;
+  dual::WriteOptions options;
   given.set("digits", options.digits, shell::digits_names);
-  given.set("atom_style", options.style, shell::atom_style_names);
-  const py::gil_scoped_release released;
-  if (path.extension() == ".data") {
-    dual::write_lammps_data(path, structure, options);
-  } else if (path.extension() == ".extxyz" || path.extension() == ".xyz") {
-    dual::write_xyz(path, structure, options.digits);
-  } else {
-    throw WrongOption("cannot write '" + path.string() +
-                      "': its extension must be .extxyz, .xyz or .data");
+  given.set("atom_style", options.atom_style, shell::atom_style_names);
+  const dual::StructureFormat* format = dual::find_structure_format(path);
+  if (format == nullptr || format->write == nullptr) {
+    std::string known;
+    for (const std::string& extension : dual::structure_extensions()) known += ' ' + extension;
+    throw WrongOption("cannot write '" + path.string() + "': its extension must be one of" + known);
   }
+  const py::gil_scoped_release released;
+  dual::write_structure(path, structure, options);
 }
 
 }  // namespace

@@ -1,20 +1,14 @@
 #include "trivalent/shell/structure_source.h"
 
-#include "trivalent/dual/build_dual.h"
-#include "trivalent/dual/columns.h"
-#include "trivalent/dual/padded_box.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/shell/mesh_dual.h"
 
 namespace trivalent::shell {
 namespace {
 
 dual::StructureFile read_mesh_dual(const std::filesystem::path& path, const dual::DualSize& size) {
   remesh::MeshFile file = remesh::read_mesh(path);
-  remesh::scale(file.mesh, dual::scale_for_size(file.mesh, size));
-  dual::Structure structure = dual::build_dual(file.mesh);
-  structure.atoms.box = dual::padded_box(structure.atoms.positions);
-  dual::replace_columns(structure, dual::network_columns(structure));
-  return {.structure = std::move(structure), .notes = std::move(file.notes)};
+  return {.structure = structure_of(std::move(file.mesh), size), .notes = std::move(file.notes)};
 }
 
 /// The format that is asked for; none: the file is a mesh.
