@@ -153,9 +153,9 @@ void CellGrid::sort_into_cells() {
     highest = highest.max(point.position.array());
   }
   // Twenty bits a direction: larger clusters get larger cells.
-  constexpr double most_cells = 1 << 20;
+  constexpr double max_cells = 1 << 20;
   if (!points_.empty()) {
-    cell_size_ = std::max(cell_size_, (highest - lowest).maxCoeff() / most_cells);
+    cell_size_ = std::max(cell_size_, (highest - lowest).maxCoeff() / max_cells);
   }
 
   struct Place {

@@ -7,10 +7,10 @@
 #include <cstring>
 
 #include "energy_checks.h"
-#include "rebo/clean_kernel.h"
 #include "rebo/evaluator.h"
 #include "rebo/parameters.h"
 #include "rebo/plain_rebo.h"
+#include "rebo/regular_kernel.h"
 #include "structures.h"
 #include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
@@ -56,7 +56,7 @@ TEST(ReboEvaluator, AgreesWithThePlainOneOnSheetsOfAnyDisorder) {
 TEST(ReboEvaluator, AgreesWithThePlainOneOnAllInstructionSets) {
   Atoms atoms = testing_support::geodesic_shell(9, 1.42);
   displace(atoms, 0.06, 1);
-  const auto [kernels, count] = rebo_detail::usable_clean_kernels();
+  const auto [kernels, count] = rebo_detail::usable_regular_kernels();
   for (int k = 0; k < count; ++k) {
     rebo_detail::Evaluator evaluator(rebo_detail::brenner_2002, 0.3, kernels[k]);
     EnergyForces result;
@@ -112,7 +112,7 @@ TEST(ReboEvaluator, AgreesWithThePlainOneAtExactlyTheCutoff) {
   }
 }
 
-// Adatoms, vacancies and a hydrogen make all kinds of borders between clean and other atoms.
+// Adatoms, vacancies and a hydrogen make all kinds of borders between regular and other atoms.
 TEST(ReboEvaluator, AgreesWithThePlainOneAroundDefects) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     Atoms atoms = graphene(8, 5, 1.42);
@@ -159,7 +159,7 @@ TEST(Rebo, FollowsMovingAtomsAsIfNeighborsWereAlwaysNew) {
   }
 }
 
-// Sheets of several tiles, clean at first. Within half the skin some atoms tear their bonds and
+// Sheets of several tiles, regular at first. Within half the skin some atoms tear their bonds and
 // come back, elsewhere at every step.
 TEST(Rebo, FollowsDefectsThatComeAndGo) {
   Atoms sheet = graphene(40, 30, 1.62);

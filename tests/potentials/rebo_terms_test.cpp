@@ -5,8 +5,8 @@
 
 #include "energy_checks.h"
 #include "rebo/angular_function.h"
+#include "rebo/bond_list.h"
 #include "rebo/bond_order.h"
-#include "rebo/bonds.h"
 #include "rebo/cutoff.h"
 #include "rebo/gradient.h"
 #include "rebo/pair_terms.h"
@@ -163,7 +163,7 @@ using Term = double (BondOrder::*)(const Pair&, double) const;
 EnergyForces energy_of_term(const Atoms& atoms, Term term) {
   EnergyForces result;
   set_zero(result, atoms.size());
-  const Bonds bonds(atoms, stuart_2000);  // its P_CC is not zero for pure carbon
+  const BondList bonds(atoms, stuart_2000);  // its P_CC is not zero for pure carbon
   Gradient gradient(bonds, result);
   const BondOrder orders(bonds, stuart_2000, &gradient);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
@@ -212,7 +212,7 @@ TEST(DihedralSum, IsZeroInAPlaneAndLargestAcrossIt) {
   atoms.positions = {{0, 0, 0}, {1.4, 0, 0}, {-0.7, 1.2, 0}, {2.1, 1.2, 0}};
   atoms.species.assign(4, Species::carbon);
   const auto sum = [&] {
-    const Bonds bonds(atoms, brenner_2002);
+    const BondList bonds(atoms, brenner_2002);
     return BondOrder(bonds, brenner_2002, nullptr).dihedral_sum(pair_of(bonds, 0), 0.0);
   };
   EXPECT_NEAR(sum(), 0.0, 1e-15);

@@ -4,8 +4,8 @@
 
 #include "cell_grid.h"
 #include "parallel.h"
+#include "rebo/bond_list.h"
 #include "rebo/bond_order.h"
-#include "rebo/bonds.h"
 #include "rebo/cutoff.h"
 #include "rebo/evaluator.h"
 #include "rebo/gradient.h"
@@ -77,7 +77,7 @@ void add_far_pairs(const Atoms& atoms, EnergyForces& result) {
 // Pairs that bonds may connect or that may become bonds themselves.
 class NearPairs {
  public:
-  NearPairs(const Bonds& bonds, Gradient& gradient, EnergyForces& result)
+  NearPairs(const BondList& bonds, Gradient& gradient, EnergyForces& result)
       : bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
 
   /// Goes on to the pairs of another atom.
@@ -147,7 +147,7 @@ class NearPairs {
     return std::nullopt;
   }
 
-  const Bonds& bonds_;
+  const BondList& bonds_;
   Gradient& gradient_;
   EnergyForces& result_;
   Paths paths_;
@@ -159,7 +159,7 @@ class NearPairs {
   return image_between(from, to) > std::array<std::int32_t, 3>{0, 0, 0};
 }
 
-void add_near_pairs(const Atoms& atoms, const Bonds& bonds, EnergyForces& result) {
+void add_near_pairs(const Atoms& atoms, const BondList& bonds, EnergyForces& result) {
   Gradient gradient(bonds, result);
   NearPairs pairs(bonds, gradient, result);
   const CellGrid grid(atoms, longest_path * rounding_margin);
@@ -179,11 +179,11 @@ void add_near_pairs(const Atoms& atoms, const Bonds& bonds, EnergyForces& result
   gradient.finish();
 }
 
-void add_torsion(const Bonds& bonds, EnergyForces& result) {
+void add_torsion(const BondList& bonds, EnergyForces& result) {
   Gradient gradient(bonds, result);
   const BondOrder orders(bonds, stuart_2000, &gradient);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const Bond& bond = bonds[b];
+    const DirectedBond& bond = bonds[b];
     if (bond.reverse < b) continue;  // once a bond, not once a direction
     if (bonds.species(bond.from) != Species::carbon) continue;
     if (bonds.species(bond.to) != Species::carbon) continue;
@@ -205,7 +205,7 @@ void Airebo::compute(const Atoms& atoms, EnergyForces& result) {
   constexpr double no_skin = 0.0;  // neighbors are used once
   Evaluator(stuart_2000, no_skin).evaluate(atoms, result);
   if (!options_.lennard_jones && !options_.torsion) return;
-  const Bonds bonds(atoms, stuart_2000);
+  const BondList bonds(atoms, stuart_2000);
   if (options_.lennard_jones) {
     add_near_pairs(atoms, bonds, result);
     add_far_pairs(atoms, result);

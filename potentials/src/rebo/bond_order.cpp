@@ -28,12 +28,12 @@ struct CosineOfAngle {
 
 }  // namespace
 
-Pair pair_of(const Bonds& bonds, std::size_t index) {
-  const Bond& bond = bonds[index];
+Pair pair_of(const BondList& bonds, std::size_t index) {
+  const DirectedBond& bond = bonds[index];
   return {bond.from, bond.to, bond.image, bond.separation, bond.distance, std::nullopt, index};
 }
 
-Pair reversed(const Bonds& bonds, const Pair& pair) {
+Pair reversed(const BondList& bonds, const Pair& pair) {
   Pair back = pair;
   std::swap(back.from, back.to);
   for (std::int32_t& k : back.image) k = -k;
@@ -47,7 +47,7 @@ double BondOrder::bond_order(const Pair& pair, double weight) const {
   return 0.5 * (sigma(pair, 0.5 * weight) + sigma(back, 0.5 * weight)) + pi(pair, weight);
 }
 
-bool BondOrder::is_other_neighbor(const Bond& neighbor, const Pair& pair) const {
+bool BondOrder::is_other_neighbor(const DirectedBond& neighbor, const Pair& pair) const {
   return neighbor.to != pair.to || neighbor.image != pair.image;
 }
 
@@ -78,7 +78,8 @@ struct BondOrder::AngleTerm {
   CosineOfAngle cosine;
 };
 
-BondOrder::AngleTerm BondOrder::angle_term(const Pair& pair, const Bond& neighbor, double N) const {
+BondOrder::AngleTerm BondOrder::angle_term(const Pair& pair, const DirectedBond& neighbor,
+                                           double N) const {
   const Species center = bonds_.species(pair.from);
   const CosineOfAngle cosine = cosine_of_angle(pair.separation, neighbor.separation);
   const AngularValue g = angular_function(center, cosine.value, N);
@@ -98,7 +99,7 @@ BondOrder::AngleTerm BondOrder::angle_term(const Pair& pair, const Bond& neighbo
 
 void BondOrder::add_angle(const Pair& pair, std::size_t index, const AngleTerm& term,
                           double weight) const {
-  const Bond& neighbor = bonds_[index];
+  const DirectedBond& neighbor = bonds_[index];
   const double share = weight * neighbor.cutoff.value;
   gradient_->add_cutoff(index, weight * term.value);
   add_separation(pair, share * term.slope_cosine * term.cosine.slope_a);
@@ -141,7 +142,7 @@ double BondOrder::sigma(const Pair& pair, double weight) const {
 BondOrder::Conjugation BondOrder::conjugation(const Pair& pair) const {
   Conjugation result = {coordination_without(pair), 0.0};
   for (const std::size_t k : bonds_.from(pair.from)) {
-    const Bond& neighbor = bonds_[k];
+    const DirectedBond& neighbor = bonds_[k];
     if (!is_other_neighbor(neighbor, pair)) continue;
     if (bonds_.species(neighbor.to) != Species::carbon) continue;
     const double X = bonds_.coordination(neighbor.to).total() - neighbor.cutoff.value;
@@ -153,7 +154,7 @@ BondOrder::Conjugation BondOrder::conjugation(const Pair& pair) const {
 // Adds weight · dA_i; A_i is the sum in Conjugation.
 void BondOrder::add_conjugation(const Pair& pair, double weight) const {
   for (const std::size_t k : bonds_.from(pair.from)) {
-    const Bond& neighbor = bonds_[k];
+    const DirectedBond& neighbor = bonds_[k];
     if (!is_other_neighbor(neighbor, pair)) continue;
     if (bonds_.species(neighbor.to) != Species::carbon) continue;
     const double X = bonds_.coordination(neighbor.to).total() - neighbor.cutoff.value;
@@ -212,7 +213,7 @@ struct BondOrder::Dihedral {
 };
 
 BondOrder::Corner BondOrder::corner(const Pair& pair, std::size_t index, Cutoff cutoff) const {
-  const Bond& neighbor = bonds_[index];
+  const DirectedBond& neighbor = bonds_[index];
   const CosineOfAngle cosine = cosine_of_angle(pair.separation, neighbor.separation);
   const ValueAndSlope bent = cubic_rise(cosine.value, straight_angle);
   const ValueAndSlope f = neighbor.*cutoff;
@@ -225,7 +226,7 @@ BondOrder::Corner BondOrder::corner(const Pair& pair, std::size_t index, Cutoff 
 
 void BondOrder::add_corner(const Pair& pair, const Corner& corner, double slope_share,
                            const Eigen::Vector3d& slope_normal) const {
-  const Bond& neighbor = bonds_[corner.neighbor];
+  const DirectedBond& neighbor = bonds_[corner.neighbor];
   gradient_->add_distance(neighbor, slope_share * corner.bent.value * corner.cutoff.slope);
   const double slope_cosine = slope_share * corner.cutoff.value * corner.bent.slope;
   add_separation(pair,
@@ -235,7 +236,8 @@ void BondOrder::add_corner(const Pair& pair, const Corner& corner, double slope_
 }
 
 // The third atom of a three-membered ring is on both ends: no dihedral angle.
-bool BondOrder::is_ring_of_three(const Pair& pair, const Bond& near, const Bond& far) const {
+bool BondOrder::is_ring_of_three(const Pair& pair, const DirectedBond& near,
+                                 const Bond& far) const {
   const Eigen::Vector3i image_of_far =
       Eigen::Vector3i::Map(pair.image.data()) + Eigen::Vector3i::Map(far.image.data());
   return far.to == near.to && image_of_far == Eigen::Vector3i::Map(near.image.data());
@@ -279,14 +281,15 @@ void BondOrder::add_dihedral(const Pair& pair, const Dihedral& dihedral, ValueAn
 }
 
 double BondOrder::dihedral_sum(const Pair& pair, double weight) const {
-  return sum_over_dihedrals(pair, weight, &Bond::dihedral_cutoff, [](const Dihedral& dihedral) {
-    return ValueAndSlope{1.0 - dihedral.cosine * dihedral.cosine, -2.0 * dihedral.cosine};
-  });
+  return sum_over_dihedrals(
+      pair, weight, &DirectedBond::dihedral_cutoff, [](const Dihedral& dihedral) {
+        return ValueAndSlope{1.0 - dihedral.cosine * dihedral.cosine, -2.0 * dihedral.cosine};
+      });
 }
 
 double BondOrder::torsion_sum(const Pair& pair, double weight,
                               std::vector<double>& energies) const {
-  return sum_over_dihedrals(pair, weight, &Bond::cutoff, [&](const Dihedral& dihedral) {
+  return sum_over_dihedrals(pair, weight, &DirectedBond::cutoff, [&](const Dihedral& dihedral) {
     const std::uint32_t k = bonds_[dihedral.near.neighbor].to;
     const std::uint32_t l = bonds_[dihedral.far.neighbor].to;
     const std::size_t kind =

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "rebo/bonds.h"
+#include "rebo/bond_list.h"
 #include "rebo/gradient.h"
 
 namespace trivalent::potentials::rebo_detail {
@@ -21,15 +21,15 @@ struct Pair {
   std::optional<std::size_t> bond;    ///< from → to, if the two are bonded
 };
 
-[[nodiscard]] Pair pair_of(const Bonds& bonds, std::size_t bond);
-[[nodiscard]] Pair reversed(const Bonds& bonds, const Pair& pair);
+[[nodiscard]] Pair pair_of(const BondList& bonds, std::size_t bond);
+[[nodiscard]] Pair reversed(const BondList& bonds, const Pair& pair);
 
 /// Evaluates bond orders. Each function returns one term for one pair and, if there is a gradient,
 /// adds `weight` times the derivative of the term to it: weight is the derivative of the energy
 /// with respect to the term.
 class BondOrder {
  public:
-  BondOrder(const Bonds& bonds, const Parameters& parameters, Gradient* gradient)
+  BondOrder(const BondList& bonds, const Parameters& parameters, Gradient* gradient)
       : bonds_(bonds), parameters_(parameters), gradient_(gradient) {}
 
   /// b_ij = ½ (p_ij + p_ji) + π_ij + T_ij D_ij, [Brenner2002, eqs. 3, 7, 14-18].
@@ -56,7 +56,7 @@ class BondOrder {
     double sum;                 ///< Σ_k f F(X_ik) over carbon neighbors without `to`
   };
 
-  [[nodiscard]] bool is_other_neighbor(const Bond& neighbor, const Pair& pair) const;
+  [[nodiscard]] bool is_other_neighbor(const DirectedBond& neighbor, const Pair& pair) const;
   [[nodiscard]] Coordination coordination_without(const Pair& pair) const;
   [[nodiscard]] Conjugation conjugation(const Pair& pair) const;
   void add_conjugation(const Pair& pair, double weight) const;
@@ -64,24 +64,26 @@ class BondOrder {
   void add_separation(const Pair& pair, const Eigen::Vector3d& slope) const;
 
   struct AngleTerm;
-  [[nodiscard]] AngleTerm angle_term(const Pair& pair, const Bond& neighbor, double N) const;
+  [[nodiscard]] AngleTerm angle_term(const Pair& pair, const DirectedBond& neighbor,
+                                     double N) const;
   void add_angle(const Pair& pair, std::size_t neighbor, const AngleTerm& term,
                  double weight) const;
 
   struct Corner;
   struct Dihedral;
-  using Cutoff = ValueAndSlope Bond::*;  // which of the two cutoffs a term has
+  using Cutoff = ValueAndSlope DirectedBond::*;  // which of the two cutoffs a term has
   [[nodiscard]] Corner corner(const Pair& pair, std::size_t neighbor, Cutoff cutoff) const;
   void add_corner(const Pair& pair, const Corner& corner, double slope_share,
                   const Eigen::Vector3d& slope_normal) const;
-  [[nodiscard]] bool is_ring_of_three(const Pair& pair, const Bond& near, const Bond& far) const;
+  [[nodiscard]] bool is_ring_of_three(const Pair& pair, const DirectedBond& near,
+                                      const Bond& far) const;
   template <typename Term>
   [[nodiscard]] double sum_over_dihedrals(const Pair& pair, double weight, Cutoff cutoff,
                                           const Term& term) const;
   void add_dihedral(const Pair& pair, const Dihedral& dihedral, ValueAndSlope term,
                     double weight) const;
 
-  const Bonds& bonds_;
+  const BondList& bonds_;
   const Parameters& parameters_;
   Gradient* gradient_;
 };

@@ -79,9 +79,9 @@ class Candidates::Builder {
 
 // Cuts a range of atoms in one block of space into tiles; small blocks share one.
 void add_tiles(std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& tiles) {
-  constexpr std::uint32_t most_atoms = 1024;
-  if (!tiles.empty() && end - tiles.back() <= most_atoms) return;
-  const std::uint32_t pieces = (end - begin + most_atoms - 1) / most_atoms;
+  constexpr std::uint32_t max_atoms = 1024;
+  if (!tiles.empty() && end - tiles.back() <= max_atoms) return;
+  const std::uint32_t pieces = (end - begin + max_atoms - 1) / max_atoms;
   for (std::uint32_t piece = 0; piece < pieces; ++piece) {
     tiles.push_back(begin +
                     static_cast<std::uint32_t>(std::uint64_t{end - begin} * piece / pieces));

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::uint32_t results_ahead = 32;  // atoms between asking for a result's place and use
 
-[[nodiscard]] CleanParameters clean_parameters(const Parameters& parameters) {
+[[nodiscard]] RegularParameters regular_parameters(const Parameters& parameters) {
   const BondParameters& bond = parameters.bond(Species::carbon, Species::carbon);
-  CleanParameters result{};
+  RegularParameters result{};
   result.Q = bond.Q;
   result.A = bond.A;
   result.alpha = bond.alpha;
@@ -48,10 +48,10 @@ template <typename T>
 
 }  // namespace
 
-Evaluator::Evaluator(const Parameters& parameters, double skin, CleanKernel kernel)
+Evaluator::Evaluator(const Parameters& parameters, double skin, RegularKernel kernel)
     : parameters_(parameters),
-      clean_parameters_(clean_parameters(parameters)),
-      clean_kernel_(kernel),
+      regular_parameters_(regular_parameters(parameters)),
+      regular_kernel_(kernel),
       skin_(skin) {}
 
 void Evaluator::evaluate(const Atoms& atoms, EnergyForces& result) {
@@ -77,28 +77,28 @@ void Evaluator::evaluate(const Atoms& atoms, EnergyForces& result) {
 
 // All that atoms do to their links; false if one has moved too far for that.
 bool Evaluator::evaluate_tiles(const Atoms& atoms) {
-  return evaluate_clean_tiles(atoms) && evaluate_general_tiles(atoms);
+  return evaluate_regular_tiles(atoms) && evaluate_irregular_tiles(atoms);
 }
 
-// Tiles that turn out not to be clean are left to the general way, from now on.
-bool Evaluator::evaluate_clean_tiles(const Atoms& atoms) {
+// Tiles that turn out not to be regular are evaluated as irregular from now on.
+bool Evaluator::evaluate_regular_tiles(const Atoms& atoms) {
   std::atomic<bool> has_moved = false;
   for_each_part(candidates_->tile_count(), [&](std::size_t tile) {
-    if (is_general_[tile] != 0) return;
+    if (is_irregular_[tile] != 0) return;
     Workspace& workspace = workspaces_.local();
-    const CleanTiles::Task task = {.atoms = atoms,
-                                   .tile = tile,
-                                   .most_moved = 0.5 * skin_,
-                                   .parameters = clean_parameters_,
-                                   .kernel = clean_kernel_};
-    switch (clean_tiles_->evaluate(task, workspace.clean, workspace.slopes)) {
-      case CleanTiles::Outcome::moved:
+    const RegularTiles::Task task = {.atoms = atoms,
+                                     .tile = tile,
+                                     .max_moved = 0.5 * skin_,
+                                     .parameters = regular_parameters_,
+                                     .kernel = regular_kernel_};
+    switch (regular_tiles_->evaluate(task, workspace.tile, workspace.slopes)) {
+      case RegularTiles::Outcome::moved:
         has_moved = true;
         break;
-      case CleanTiles::Outcome::not_clean:
-        is_general_[tile] = 1;
+      case RegularTiles::Outcome::not_regular:
+        is_irregular_[tile] = 1;
         break;
-      case CleanTiles::Outcome::evaluated:
+      case RegularTiles::Outcome::evaluated:
         totals_[tile] = gather(tile, workspace.slopes);
         export_crossings(tile, workspace.slopes);
     }
@@ -106,11 +106,11 @@ bool Evaluator::evaluate_clean_tiles(const Atoms& atoms) {
   return !has_moved;
 }
 
-bool Evaluator::evaluate_general_tiles(const Atoms& atoms) {
+bool Evaluator::evaluate_irregular_tiles(const Atoms& atoms) {
   for (std::vector<std::uint32_t>& irregular : irregular_) irregular.clear();
   const auto is_set = [](std::uint8_t flag) { return flag != 0; };
-  if (std::ranges::none_of(is_general_, is_set)) return true;
-  TileFlags evaluated = is_general_;
+  if (std::ranges::none_of(is_irregular_, is_set)) return true;
+  TileFlags evaluated = is_irregular_;
   TileFlags irregular(evaluated.size());
   do {
     evaluated = united(evaluated, irregular);
@@ -120,8 +120,8 @@ bool Evaluator::evaluate_general_tiles(const Atoms& atoms) {
     classify(classified);
     irregular = irregular_tiles();
   } while (united(evaluated, irregular) != evaluated);  // rounding of images: hardly ever
-  is_general_ = and_near(irregular);
-  evaluated = united(evaluated, is_general_);
+  is_irregular_ = and_near(irregular);
+  evaluated = united(evaluated, is_irregular_);
   for_each_part(candidates_->tile_count(), [&](std::size_t tile) {
     if (evaluated[tile] != 0) totals_[tile] = evaluate_tile(tile);
   });
@@ -132,7 +132,7 @@ Evaluator::TileFlags Evaluator::and_near(const TileFlags& tiles) const {
   TileFlags result(tiles.size());
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     if (tiles[tile] == 0) continue;
-    for (const std::uint32_t near : clean_tiles_->patch(tile).near) result[near] = 1;
+    for (const std::uint32_t near : regular_tiles_->patch(tile).near) result[near] = 1;
   }
   return result;
 }
@@ -150,11 +150,11 @@ bool Evaluator::is_same_system(const Atoms& atoms) const {
 
 void Evaluator::start(const Atoms& atoms) {
   require_valid(atoms, "rebo");
-  clean_tiles_.reset();
+  regular_tiles_.reset();
   candidates_.reset();
   candidates_.emplace(atoms, skin_);
-  clean_tiles_.emplace(atoms, *candidates_,
-                       parameters_.bond(Species::carbon, Species::carbon).cutoff);
+  regular_tiles_.emplace(atoms, *candidates_,
+                         parameters_.bond(Species::carbon, Species::carbon).cutoff);
   box_ = atoms.box;
   image_homes_.clear();
   for (const Candidates::Image& image : candidates_->images) image_homes_.push_back(image.home);
@@ -162,7 +162,7 @@ void Evaluator::start(const Atoms& atoms) {
   const std::size_t n = atoms.size();
   const std::size_t links = candidates_->point.size();
   const std::size_t tiles = candidates_->tile_count();
-  is_general_.assign(tiles, 0);
+  is_irregular_.assign(tiles, 0);
   totals_.assign(tiles, {});
   irregular_.assign(tiles, {});
   positions_ = without_values<double>(4 * candidates_->point_count());
@@ -183,7 +183,7 @@ bool Evaluator::place(const Atoms& atoms, const TileFlags& tiles) {
   std::atomic<bool> has_moved = false;
   for_each_part(tiles.size(), [&](std::size_t tile) {
     if (tiles[tile] == 0) return;
-    if (clean_tiles_->squared_way(atoms, tile) > 0.25 * skin_ * skin_) has_moved = true;
+    if (regular_tiles_->squared_way(atoms, tile) > 0.25 * skin_ * skin_) has_moved = true;
     for (std::uint32_t i = c.tiles[tile]; i < c.tiles[tile + 1]; ++i) {
       Eigen::Vector3d x = atoms.positions[c.order[i]];
       if (!c.wraps.empty()) {
@@ -288,9 +288,9 @@ void Evaluator::mark(std::uint32_t atom, std::uint8_t state) {
   known.fetch_or(state, std::memory_order_relaxed);
 }
 
-CleanArguments Evaluator::clean_arguments(std::size_t tile, TileSlopes& slopes) const {
+RegularArguments Evaluator::regular_arguments(std::size_t tile, TileSlopes& slopes) const {
   const Candidates& c = *candidates_;
-  return {.parameters = &clean_parameters_,
+  return {.parameters = &regular_parameters_,
           .positions = positions_.get(),
           .first = c.first.data(),
           .point = c.point.data(),
@@ -305,7 +305,7 @@ CleanArguments Evaluator::clean_arguments(std::size_t tile, TileSlopes& slopes) 
           .first_atom = c.tiles[tile]};
 }
 
-Slopes Evaluator::general_slopes(std::size_t tile, TileSlopes& slopes) const {
+Slopes Evaluator::irregular_slopes(std::size_t tile, TileSlopes& slopes) const {
   return {.links = slopes.links.data(),
           .energies = slopes.energies.data(),
           .first_link = candidates_->first[candidates_->tiles[tile]],
@@ -330,7 +330,7 @@ Totals Evaluator::evaluate_tile(std::size_t tile) {
   const std::uint32_t end = c.tiles[tile + 1];
   workspace.slopes.clear(end - begin, c.first[end] - c.first[begin]);
   evaluate_regular(tile, workspace);
-  evaluate_general(tile, workspace.slopes);
+  evaluate_irregular(tile, workspace.slopes);
   const Totals totals = gather(tile, workspace.slopes);
   export_crossings(tile, workspace.slopes);
   return totals;
@@ -358,30 +358,30 @@ void Evaluator::evaluate_regular(std::size_t tile, Workspace& workspace) const {
     if ((states_[i] & atom_state::irregular) == 0) workspace.regular.push_back(i);
   }
   std::array<double, 6> virial{};
-  const CleanArguments arguments = clean_arguments(tile, workspace.slopes);
+  const RegularArguments arguments = regular_arguments(tile, workspace.slopes);
   const std::span<const std::uint32_t> regular = workspace.regular;
   constexpr std::size_t batch = 16;  // a multiple of all kernels'
   const std::size_t batches = (regular.size() + batch - 1) / batch;
   for (std::size_t k = 0; k < batches; ++k) {
     prefetch_next(tile, {k, batches});
     const auto some = regular.subspan(k * batch, std::min(batch, regular.size() - k * batch));
-    clean_kernel_(arguments, some.data(), some.size(), virial.data());
+    regular_kernel_(arguments, some.data(), some.size(), virial.data());
   }
   workspace.slopes.virial += upper_half(virial);
 }
 
 // After the regular ones, to some of which it adds.
-void Evaluator::evaluate_general(std::size_t tile, TileSlopes& slopes) const {
-  GeneralAtom general(surroundings(), general_slopes(tile, slopes),
-                      candidates_->tiles[tile + 1] - candidates_->tiles[tile]);
+void Evaluator::evaluate_irregular(std::size_t tile, TileSlopes& slopes) const {
+  IrregularAtom irregular_atom(surroundings(), irregular_slopes(tile, slopes),
+                               candidates_->tiles[tile + 1] - candidates_->tiles[tile]);
   for (std::uint32_t i = candidates_->tiles[tile]; i < candidates_->tiles[tile + 1]; ++i) {
     if ((states_[i] & atom_state::irregular) != 0) {
-      general.evaluate(i);
+      irregular_atom.evaluate(i);
     } else if ((states_[i] & atom_state::has_other_pi) != 0) {
-      general.add_other_pi(i);
+      irregular_atom.add_other_pi(i);
     }
   }
-  slopes.virial += general.virial();
+  slopes.virial += irregular_atom.virial();
 }
 
 // The caller's order may jump about in memory.

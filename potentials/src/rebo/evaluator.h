@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "rebo/candidates.h"
-#include "rebo/clean_kernel.h"
-#include "rebo/clean_tiles.h"
-#include "rebo/general_atom.h"
+#include "rebo/irregular_atom.h"
 #include "rebo/parameters.h"
+#include "rebo/regular_kernel.h"
+#include "rebo/regular_tiles.h"
 #include "rebo/tile_slopes.h"
 #include "totals.h"
 #include "trivalent/potentials/energy_forces.h"
@@ -20,16 +20,17 @@
 namespace trivalent::potentials::rebo_detail {
 
 /// REBO for many atoms, many times: finds neighbors again only when atoms have moved, evaluates
-/// clean atoms (see clean_kernel_impl.h) several at a time, and all others by GeneralAtom.
+/// regular atoms (see regular_kernel_impl.h) several at a time, and all others by IrregularAtom.
 ///
 /// Every atom first takes the derivatives of its own terms with respect to its own links; then it
 /// collects its force from both directions of its links. Tiles without irregular atoms around go
-/// the short way through CleanTiles; for the others, all atoms near them are looked at first.
+/// the short way through RegularTiles; for the others, all atoms near them are looked at first.
 /// Within a sweep tiles are independent, so threads neither wait for each other nor change a bit of
 /// the result.
 class Evaluator {
  public:
-  Evaluator(const Parameters& parameters, double skin, CleanKernel kernel = best_clean_kernel());
+  Evaluator(const Parameters& parameters, double skin,
+            RegularKernel kernel = best_regular_kernel());
 
   /// Sets all of `result`, whatever it held.
   ///
@@ -46,7 +47,7 @@ class Evaluator {
 
   // What a thread keeps of a tile only while it is evaluated.
   struct Workspace {
-    CleanTiles::Workspace clean;
+    RegularTiles::Workspace tile;
     std::vector<std::uint32_t> regular;
     TileSlopes slopes;
   };
@@ -54,8 +55,8 @@ class Evaluator {
   void start(const Atoms& atoms);
   [[nodiscard]] bool is_same_system(const Atoms& atoms) const;
   [[nodiscard]] bool evaluate_tiles(const Atoms& atoms);
-  [[nodiscard]] bool evaluate_clean_tiles(const Atoms& atoms);
-  [[nodiscard]] bool evaluate_general_tiles(const Atoms& atoms);
+  [[nodiscard]] bool evaluate_regular_tiles(const Atoms& atoms);
+  [[nodiscard]] bool evaluate_irregular_tiles(const Atoms& atoms);
 
   [[nodiscard]] TileFlags and_near(const TileFlags& tiles) const;
   [[nodiscard]] bool place(const Atoms& atoms, const TileFlags& tiles);
@@ -73,33 +74,34 @@ class Evaluator {
   void evaluate_regular(std::size_t tile, Workspace& workspace) const;
   void prefetch_next(std::size_t tile, Part part) const;
   void prefetch_result(std::size_t atom) const;
-  void evaluate_general(std::size_t tile, TileSlopes& slopes) const;
+  void evaluate_irregular(std::size_t tile, TileSlopes& slopes) const;
   [[nodiscard]] Totals gather(std::size_t tile, const TileSlopes& slopes);
   void export_crossings(std::size_t tile, const TileSlopes& slopes);
   void import_crossings(std::size_t tile);
   void add_coordination_slopes_of_neighbors(std::size_t tile);
   [[nodiscard]] Totals add_forces_of_cutoffs(std::size_t tile);
 
-  [[nodiscard]] CleanArguments clean_arguments(std::size_t tile, TileSlopes& slopes) const;
-  [[nodiscard]] Slopes general_slopes(std::size_t tile, TileSlopes& slopes) const;
+  [[nodiscard]] RegularArguments regular_arguments(std::size_t tile, TileSlopes& slopes) const;
+  [[nodiscard]] Slopes irregular_slopes(std::size_t tile, TileSlopes& slopes) const;
   [[nodiscard]] Surroundings surroundings() const;
   [[nodiscard]] Eigen::Vector3d separation(std::uint32_t atom, std::uint32_t link) const;
 
   const Parameters& parameters_;
-  CleanParameters clean_parameters_;
-  CleanKernel clean_kernel_;
+  RegularParameters regular_parameters_;
+  RegularKernel regular_kernel_;
   double skin_;
   Box box_;
   std::optional<Candidates> candidates_;
-  std::optional<CleanTiles> clean_tiles_;
-  TileFlags is_general_;  // whether a tile has irregular atoms in it or near it, as far as is known
+  std::optional<RegularTiles> regular_tiles_;
+  TileFlags
+      is_irregular_;  // whether a tile has irregular atoms in it or near it, as far as is known
   std::vector<Totals> totals_;  // per tile
   tbb::enumerable_thread_specific<Workspace> workspaces_;
   std::vector<std::uint32_t> image_homes_;
   std::vector<std::vector<std::uint32_t>> irregular_;  // atoms, per tile
 
-  // Arrays by atom, point or link. Those of general atoms are used only where such atoms are; left
-  // without a value elsewhere, they take no memory there.
+  // Arrays by atom, point or link. Those of irregular atoms are used only where such atoms are;
+  // left without a value elsewhere, they take no memory there.
   template <typename T>
   using Array = std::unique_ptr<T[]>;
   Array<double> positions_;

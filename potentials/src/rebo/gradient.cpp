@@ -2,7 +2,7 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-Gradient::Gradient(const Bonds& bonds, EnergyForces& result)
+Gradient::Gradient(const BondList& bonds, EnergyForces& result)
     : bonds_(bonds),
       result_(result),
       cutoff_(bonds.size(), 0.0),
@@ -22,7 +22,7 @@ void Gradient::add_coordination_without(std::size_t bond, Coordination slope) {
 
 void Gradient::finish() {
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const Bond& bond = bonds_[b];
+    const DirectedBond& bond = bonds_[b];
     if (bond.cutoff.slope == 0.0) continue;
     const double slope = cutoff_[b] + coordination_[bond.from].of(bonds_.species(bond.to));
     add_distance(bond, slope * bond.cutoff.slope);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rebo/bonds.h"
+#include "rebo/bond_list.h"
 #include "trivalent/potentials/energy_forces.h"
 
 namespace trivalent::potentials::rebo_detail {
@@ -15,17 +15,17 @@ namespace trivalent::potentials::rebo_detail {
 /// turned into a force once, at the end.
 class Gradient {
  public:
-  Gradient(const Bonds& bonds, EnergyForces& result);
+  Gradient(const BondList& bonds, EnergyForces& result);
 
   /// Adds dE/d(separation) of the pair of atoms (from, to) [eV/Å].
   void add_separation(std::uint32_t from, std::uint32_t to, const Eigen::Vector3d& separation,
                       const Eigen::Vector3d& slope);
-  void add_separation(const Bond& bond, const Eigen::Vector3d& slope) {
+  void add_separation(const DirectedBond& bond, const Eigen::Vector3d& slope) {
     add_separation(bond.from, bond.to, bond.separation, slope);
   }
 
   /// Adds dE/dr of a bond [eV/Å].
-  void add_distance(const Bond& bond, double slope) {
+  void add_distance(const DirectedBond& bond, double slope) {
     add_separation(bond, slope / bond.distance * bond.separation);
   }
 
@@ -45,7 +45,7 @@ class Gradient {
   void finish();
 
  private:
-  const Bonds& bonds_;
+  const BondList& bonds_;
   EnergyForces& result_;
   std::vector<double> cutoff_;              // per bond
   std::vector<Coordination> coordination_;  // per atom

@@ -1,7 +1,7 @@
 #include "rebo/plain_rebo.h"
 
+#include "rebo/bond_list.h"
 #include "rebo/bond_order.h"
-#include "rebo/bonds.h"
 #include "rebo/gradient.h"
 #include "rebo/pair_terms.h"
 #include "totals.h"
@@ -11,11 +11,11 @@ namespace trivalent::potentials::rebo_detail {
 EnergyForces plain_rebo(const Atoms& atoms, const Parameters& parameters) {
   EnergyForces result;
   set_zero(result, atoms.size());
-  const Bonds bonds(atoms, parameters);
+  const BondList bonds(atoms, parameters);
   Gradient gradient(bonds, result);
   const BondOrder orders(bonds, parameters, &gradient);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const Bond& bond = bonds[b];
+    const DirectedBond& bond = bonds[b];
     if (bond.reverse < b) continue;  // once a bond, not once a direction
     const auto& constants = parameters.bond(bonds.species(bond.from), bonds.species(bond.to));
     const ValueAndSlope repelled = repulsion(bond.distance, bond.cutoff, constants);

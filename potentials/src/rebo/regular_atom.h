@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "rebo/clean_kernel.h"
 #include "rebo/parameters.h"
+#include "rebo/regular_kernel.h"
 
 namespace trivalent::potentials::rebo_detail {
 
@@ -21,8 +21,8 @@ template <typename Separation, typename IsCarbon>
 [[nodiscard]] std::optional<std::uint32_t> regular_bonds(const Range& cutoff, std::uint32_t links,
                                                          const Separation& separation,
                                                          const IsCarbon& is_carbon) {
-  constexpr std::uint32_t most_links = 256;  // what eight bits can count
-  if (links < 3 || links > most_links) return std::nullopt;
+  constexpr std::uint32_t max_links = 256;  // what eight bits can count
+  if (links < 3 || links > max_links) return std::nullopt;
   std::array<Eigen::Vector3d, 3> bonds;
   std::array<double, 3> squares;
   std::array<std::uint32_t, 3> offsets{};

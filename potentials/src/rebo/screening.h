@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rebo/bonds.h"
+#include "rebo/bond_list.h"
 
 namespace trivalent::potentials::rebo_detail {
 
@@ -24,7 +24,7 @@ constexpr double longest_path = 3.0 * longest_bond;
 /// Finds the paths from one atom at a time.
 class Paths {
  public:
-  explicit Paths(const Bonds& bonds) : bonds_(bonds) {}
+  explicit Paths(const BondList& bonds) : bonds_(bonds) {}
 
   /// Goes on to the paths from this atom.
   void start_from(std::uint32_t atom);
@@ -36,7 +36,7 @@ class Paths {
   void extend(const Path& path);
   void offer(const Path& path);
 
-  const Bonds& bonds_;
+  const BondList& bonds_;
   std::vector<Path> paths_;
 };
 

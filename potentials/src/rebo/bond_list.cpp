@@ -1,4 +1,4 @@
-#include "rebo/bonds.h"
+#include "rebo/bond_list.h"
 
 #include <algorithm>
 #include <tuple>
@@ -8,7 +8,7 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-Bonds::Bonds(const Atoms& atoms, const Parameters& parameters)
+BondList::BondList(const Atoms& atoms, const Parameters& parameters)
     : species_(&atoms.species), coordinations_(atoms.size()) {
   const NeighborList list(atoms, longest_bond);
   first_.push_back(0);
@@ -32,9 +32,9 @@ Bonds::Bonds(const Atoms& atoms, const Parameters& parameters)
   link_reverse_directions();
 }
 
-void Bonds::link_reverse_directions() {
+void BondList::link_reverse_directions() {
   const auto place = [this](std::size_t b) { return std::tuple(bonds_[b].to, bonds_[b].image); };
-  for (Bond& bond : bonds_) {
+  for (DirectedBond& bond : bonds_) {
     std::array<std::int32_t, 3> back{};
     for (std::size_t k = 0; k < 3; ++k) back[k] = -bond.image[k];
     // The bonds of an atom are ordered by (atom, image), as its neighbors are.

@@ -12,11 +12,11 @@
 //
 // with a, b the bonds of atom i, m_k = a × k for its other bonds k, and n_l = a × l for the other
 // bonds l of the atom at the end of a. Other bonds of regular atoms lack the term T D here;
-// GeneralAtom adds what they have instead. Each atom takes the derivatives of its own p, and of D
+// IrregularAtom adds what they have instead. Each atom takes the derivatives of its own p, and of D
 // through its own normals m; the atom at the other end takes those through n. So no two atoms write
 // to the same place.
 
-#include "rebo/clean_kernel.h"
+#include "rebo/regular_kernel.h"
 
 namespace trivalent::potentials::rebo_detail {
 namespace {
@@ -86,7 +86,7 @@ struct RealAndSlope {
   Real value, slope;
 };
 
-TRIVALENT_INLINE RealAndSlope angular_function(const CleanParameters& p, const Real& cosine) {
+TRIVALENT_INLINE RealAndSlope angular_function(const RegularParameters& p, const Real& cosine) {
   Real c[6];
   for (int n = 0; n < 6; ++n) {
     c[n] = cosine < p.knots[0] ? Real{} + p.g[0][n] : Real{} + p.g[1][n];
@@ -101,14 +101,14 @@ TRIVALENT_INLINE RealAndSlope angular_function(const CleanParameters& p, const R
   return g;
 }
 
-TRIVALENT_INLINE RealAndSlope repulsion(const CleanParameters& p, const Real& r,
+TRIVALENT_INLINE RealAndSlope repulsion(const RegularParameters& p, const Real& r,
                                         const Real& inverse) {
   const Real decay = p.A * exponential(-p.alpha * r);
   const Real screening = 1.0 + p.Q * inverse;
   return {screening * decay, -(p.alpha * screening + p.Q * inverse * inverse) * decay};
 }
 
-TRIVALENT_INLINE RealAndSlope attraction(const CleanParameters& p, const Real& r) {
+TRIVALENT_INLINE RealAndSlope attraction(const RegularParameters& p, const Real& r) {
   RealAndSlope sum = {Real{}, Real{}};
   for (int n = 0; n < 3; ++n) {
     const Real term = p.B[n] * exponential(-p.beta[n] * r);
@@ -129,7 +129,7 @@ struct Batch {
   bool has_images;
 };
 
-TRIVALENT_INLINE void find_neighbors(const CleanArguments& a, int l, Batch& batch) {
+TRIVALENT_INLINE void find_neighbors(const RegularArguments& a, int l, Batch& batch) {
   const std::uint32_t atom = batch.atom[l];
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t link = a.first[atom] + (a.bonded[atom] >> 8 * k & 0xff);
@@ -185,9 +185,9 @@ TRIVALENT_INLINE Real overlap_of_planes(const Vector& m, const Real& inverse_m2,
   return sum;
 }
 
-TRIVALENT_INLINE void evaluate_batch(const CleanArguments& a, const Batch& batch, int used,
+TRIVALENT_INLINE void evaluate_batch(const RegularArguments& a, const Batch& batch, int used,
                                      Real (&virial)[6]) {
-  const CleanParameters& p = *a.parameters;
+  const RegularParameters& p = *a.parameters;
   const Vector center = load(a.positions, batch.atom);
   Vector bond[3];
   Vector direction[3];
@@ -288,8 +288,8 @@ TRIVALENT_INLINE void evaluate_batch(const CleanArguments& a, const Batch& batch
   }
 }
 
-void evaluate_clean_atoms(const CleanArguments& arguments, const std::uint32_t* atoms,
-                          std::size_t count, double* virial) {
+void evaluate_regular_atoms(const RegularArguments& arguments, const std::uint32_t* atoms,
+                            std::size_t count, double* virial) {
   Real sum[6] = {};
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     const int used = count - begin < lanes ? static_cast<int>(count - begin) : lanes;

@@ -13,7 +13,7 @@
 namespace trivalent::potentials::rebo_detail {
 
 /// One direction of a bond: `to` as a neighbor of `from`.
-struct Bond {
+struct DirectedBond {
   std::uint32_t from;
   std::uint32_t to;
   std::array<std::int32_t, 3> image;  ///< of `to`
@@ -35,12 +35,12 @@ struct Coordination {
 };
 
 /// All pairs nearer than their D_max, in both directions, and the coordinations they add up to.
-class Bonds {
+class BondList {
  public:
   /// @throws InvalidAtoms as NeighborList does.
-  Bonds(const Atoms& atoms, const Parameters& parameters);
+  BondList(const Atoms& atoms, const Parameters& parameters);
 
-  [[nodiscard]] const Bond& operator[](std::size_t bond) const { return bonds_[bond]; }
+  [[nodiscard]] const DirectedBond& operator[](std::size_t bond) const { return bonds_[bond]; }
   [[nodiscard]] std::size_t size() const { return bonds_.size(); }
 
   /// Indices of the bonds that leave an atom.
@@ -58,7 +58,7 @@ class Bonds {
 
   const std::vector<Species>* species_;
   std::vector<std::size_t> first_;
-  std::vector<Bond> bonds_;
+  std::vector<DirectedBond> bonds_;
   std::vector<Coordination> coordinations_;
 };
 

@@ -1,4 +1,4 @@
-#include "rebo/clean_tiles.h"
+#include "rebo/regular_tiles.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-CleanTiles::CleanTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff)
+RegularTiles::RegularTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff)
     : candidates_(candidates), cutoff_(cutoff), box_(atoms.box) {
   start_.resize(atoms.size());
   for_each_chunk(atoms.size(), [&](std::size_t begin, std::size_t end) {
@@ -21,7 +21,7 @@ CleanTiles::CleanTiles(const Atoms& atoms, const Candidates& candidates, const R
   for_each_part(patches_.size(), [&](std::size_t t) { patches_[t] = Patch(candidates, t); });
 }
 
-double CleanTiles::squared_way(const Atoms& atoms, std::size_t tile) const {
+double RegularTiles::squared_way(const Atoms& atoms, std::size_t tile) const {
   double largest = 0.0;
   for (std::uint32_t i = candidates_.tiles[tile]; i < candidates_.tiles[tile + 1]; ++i) {
     // The caller's order may jump about in memory.
@@ -39,20 +39,20 @@ double CleanTiles::squared_way(const Atoms& atoms, std::size_t tile) const {
   return largest;
 }
 
-CleanTiles::Outcome CleanTiles::evaluate(const Task& task, Workspace& workspace,
-                                         TileSlopes& slopes) const {
-  if (squared_way(task.atoms, task.tile) > task.most_moved * task.most_moved) {
+RegularTiles::Outcome RegularTiles::evaluate(const Task& task, Workspace& workspace,
+                                             TileSlopes& slopes) const {
+  if (squared_way(task.atoms, task.tile) > task.max_moved * task.max_moved) {
     return Outcome::moved;
   }
-  if (!patches_[task.tile].is_usable) return Outcome::not_clean;
+  if (!patches_[task.tile].is_usable) return Outcome::not_regular;
   place(task.atoms, task.tile, workspace);
   unpack(task.tile, workspace);
-  if (!find_bonds(workspace)) return Outcome::not_clean;
+  if (!find_bonds(workspace)) return Outcome::not_regular;
   run_kernel(task, workspace, slopes);
   return Outcome::evaluated;
 }
 
-void CleanTiles::place(const Atoms& atoms, std::size_t tile, Workspace& workspace) const {
+void RegularTiles::place(const Atoms& atoms, std::size_t tile, Workspace& workspace) const {
   const Candidates& c = candidates_;
   const std::vector<Patch::Outside>& outside = patches_[tile].outside;
   workspace.positions.resize(4 * (c.tiles[tile + 1] - c.tiles[tile] + outside.size()));
@@ -70,7 +70,7 @@ void CleanTiles::place(const Atoms& atoms, std::size_t tile, Workspace& workspac
   for (const Patch::Outside& point : outside) put(point.index, point.shift);
 }
 
-void CleanTiles::unpack(std::size_t tile, Workspace& workspace) const {
+void RegularTiles::unpack(std::size_t tile, Workspace& workspace) const {
   const Candidates& c = candidates_;
   const Patch& patch = patches_[tile];
   const std::uint32_t begin = c.tiles[tile];
@@ -90,7 +90,7 @@ void CleanTiles::unpack(std::size_t tile, Workspace& workspace) const {
   std::iota(workspace.atoms.begin(), workspace.atoms.end(), 0);
 }
 
-bool CleanTiles::find_bonds(Workspace& workspace) const {
+bool RegularTiles::find_bonds(Workspace& workspace) const {
   const auto position = [&](std::size_t point) {
     return Eigen::Vector3d::Map(&workspace.positions[4 * point]);
   };
@@ -108,7 +108,7 @@ bool CleanTiles::find_bonds(Workspace& workspace) const {
 
 // Beyond some ten thousand atoms everything comes from memory: what the next tile reads is asked
 // for part by part while this one is evaluated.
-void CleanTiles::prefetch_next(const Task& task, Part part) const {
+void RegularTiles::prefetch_next(const Task& task, Part part) const {
   const std::size_t next = task.tile + 1;
   if (next == candidates_.tile_count()) return;
   const std::uint32_t begin = candidates_.tiles[next];
@@ -125,22 +125,22 @@ void CleanTiles::prefetch_next(const Task& task, Part part) const {
   prefetch(part.of(std::span(patch.reverse)));
 }
 
-void CleanTiles::run_kernel(const Task& task, const Workspace& workspace,
-                            TileSlopes& slopes) const {
+void RegularTiles::run_kernel(const Task& task, const Workspace& workspace,
+                              TileSlopes& slopes) const {
   slopes.clear(workspace.atoms.size(), workspace.reverse.size());
-  const CleanArguments arguments = {.parameters = &task.parameters,
-                                    .positions = workspace.positions.data(),
-                                    .first = workspace.first.data(),
-                                    .point = workspace.point.data(),
-                                    .reverse = workspace.reverse.data(),
-                                    .bonded = workspace.bonded.data(),
-                                    .states = workspace.states.data(),
-                                    .homes = nullptr,
-                                    .atom_count = std::numeric_limits<std::uint32_t>::max(),
-                                    .slopes = slopes.links.data(),
-                                    .energies = slopes.energies.data(),
-                                    .first_link = 0,
-                                    .first_atom = 0};
+  const RegularArguments arguments = {.parameters = &task.parameters,
+                                      .positions = workspace.positions.data(),
+                                      .first = workspace.first.data(),
+                                      .point = workspace.point.data(),
+                                      .reverse = workspace.reverse.data(),
+                                      .bonded = workspace.bonded.data(),
+                                      .states = workspace.states.data(),
+                                      .homes = nullptr,
+                                      .atom_count = std::numeric_limits<std::uint32_t>::max(),
+                                      .slopes = slopes.links.data(),
+                                      .energies = slopes.energies.data(),
+                                      .first_link = 0,
+                                      .first_atom = 0};
   std::array<double, 6> virial{};
   const std::span<const std::uint32_t> atoms(workspace.atoms);
   constexpr std::size_t batch = 16;  // a multiple of all kernels'

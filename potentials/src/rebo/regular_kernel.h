@@ -9,7 +9,7 @@
 namespace trivalent::potentials::rebo_detail {
 
 /// Coefficients of REBO for a regular atom: a carbon with three carbon neighbors.
-struct CleanParameters {
+struct RegularParameters {
   double Q, A, alpha;
   double B[3];
   double beta[3];
@@ -20,8 +20,8 @@ struct CleanParameters {
 };
 
 /// What the kernel reads and writes; arrays as in Candidates.
-struct CleanArguments {
-  const CleanParameters* parameters;
+struct RegularArguments {
+  const RegularParameters* parameters;
   const double* positions;       ///< four per point: x, y, z [Å] and one unused
   const std::uint32_t* first;    ///< per atom
   const std::uint32_t* point;    ///< per link
@@ -51,17 +51,17 @@ constexpr std::uint8_t has_other_pi = 4;  ///< at the end of a bond from or to a
 }  // namespace atom_state
 
 /// Evaluates `count` regular atoms; adds to the virial (xx, yy, zz, xy, xz, yz) [eV].
-using CleanKernel = void (*)(const CleanArguments& arguments, const std::uint32_t* atoms,
-                             std::size_t count, double* virial);
+using RegularKernel = void (*)(const RegularArguments& arguments, const std::uint32_t* atoms,
+                               std::size_t count, double* virial);
 
 /// The kernels of all instruction sets that this machine has, the best one last.
-struct CleanKernels {
-  CleanKernel kernels[3];
+struct RegularKernels {
+  RegularKernel kernels[3];
   int count;
 };
-[[nodiscard]] CleanKernels usable_clean_kernels();
+[[nodiscard]] RegularKernels usable_regular_kernels();
 
 /// The kernel for the best instruction set that this machine has.
-[[nodiscard]] CleanKernel best_clean_kernel();
+[[nodiscard]] RegularKernel best_regular_kernel();
 
 }  // namespace trivalent::potentials::rebo_detail

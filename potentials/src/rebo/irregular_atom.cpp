@@ -1,4 +1,4 @@
-#include "rebo/general_atom.h"
+#include "rebo/irregular_atom.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -15,7 +15,7 @@ Coordination Surroundings::coordination(std::uint32_t atom) const {
 }
 
 // Index of the atom's center; those of the tile are loaded once.
-std::uint32_t GeneralAtom::find(std::uint32_t atom) {
+std::uint32_t IrregularAtom::find(std::uint32_t atom) {
   const std::uint32_t place = atom - out_.first_atom;  // wraps around if before the tile
   if (place < known_.size() && known_[place] != unknown) return known_[place];
   const auto index = static_cast<std::uint32_t>(centers_.size());
@@ -24,7 +24,7 @@ std::uint32_t GeneralAtom::find(std::uint32_t atom) {
   return index;
 }
 
-GeneralAtom::Center GeneralAtom::load(std::uint32_t atom) {
+IrregularAtom::Center IrregularAtom::load(std::uint32_t atom) {
   const Candidates& c = in_.candidates;
   Center center = {.atom = atom,
                    .species = c.species[atom],
@@ -64,7 +64,7 @@ GeneralAtom::Center GeneralAtom::load(std::uint32_t atom) {
 
 // Goes on to another atom and loads those of its neighbors that is_needed(neighbor) asks for.
 template <typename Condition>
-void GeneralAtom::start(std::uint32_t atom, const Condition& is_needed) {
+void IrregularAtom::start(std::uint32_t atom, const Condition& is_needed) {
   const std::uint32_t near = find(atom);
   near_ = centers_[near];
   far_.assign(near_.count, unknown);
@@ -78,7 +78,7 @@ void GeneralAtom::start(std::uint32_t atom, const Condition& is_needed) {
   slope_coordination_ = {};
 }
 
-void GeneralAtom::evaluate(std::uint32_t atom) {
+void IrregularAtom::evaluate(std::uint32_t atom) {
   start(atom, [](const Neighbor&) { return true; });
   find_angles();
   for (std::size_t j = 0; j < near_.count; ++j) evaluate_bond(j);
@@ -88,7 +88,7 @@ void GeneralAtom::evaluate(std::uint32_t atom) {
   write();
 }
 
-void GeneralAtom::add_other_pi(std::uint32_t atom) {
+void IrregularAtom::add_other_pi(std::uint32_t atom) {
   start(atom, [&](const Neighbor& neighbor) {
     const std::uint8_t states = in_.states[atom] | in_.states[neighbor.atom];
     return (states & atom_state::unconjugated) != 0;
@@ -99,7 +99,7 @@ void GeneralAtom::add_other_pi(std::uint32_t atom) {
   write();
 }
 
-void GeneralAtom::evaluate_pi(std::size_t j) {
+void IrregularAtom::evaluate_pi(std::size_t j) {
   const Neighbor& bond = near_neighbors_[j];
   const ValueAndSlope attracted =
       attraction(bond.r, bond.f, in_.parameters.bond(near_.species, bond.species));
@@ -109,7 +109,7 @@ void GeneralAtom::evaluate_pi(std::size_t j) {
 }
 
 // The half of the bond's energy that belongs to this atom, and the derivatives it is in charge of.
-void GeneralAtom::evaluate_bond(std::size_t j) {
+void IrregularAtom::evaluate_bond(std::size_t j) {
   const Neighbor& bond = near_neighbors_[j];
   const BondParameters& constants = in_.parameters.bond(near_.species, bond.species);
   const ValueAndSlope repelled = repulsion(bond.r, bond.f, constants);
@@ -121,13 +121,13 @@ void GeneralAtom::evaluate_bond(std::size_t j) {
   slopes_[j].separation += 0.5 * (repelled.slope - attracted.slope * (sigma + pi)) * bond.direction;
 }
 
-void GeneralAtom::add_coordination_without(std::size_t j, Coordination slope) {
+void IrregularAtom::add_coordination_without(std::size_t j, Coordination slope) {
   slope_coordination_.carbon += slope.carbon;
   slope_coordination_.hydrogen += slope.hydrogen;
   slopes_[j].f -= slope.of(near_neighbors_[j].species);
 }
 
-void GeneralAtom::add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope) {
+void IrregularAtom::add_slope_of_cosine(std::size_t j, std::size_t k, double cosine, double slope) {
   const Neighbor& a = near_neighbors_[j];
   const Neighbor& b = near_neighbors_[k];
   slopes_[j].separation += slope / a.r * (b.direction - cosine * a.direction);
@@ -135,7 +135,7 @@ void GeneralAtom::add_slope_of_cosine(std::size_t j, std::size_t k, double cosin
 }
 
 // Every two bonds form one angle, which is in p of both.
-void GeneralAtom::find_angles() {
+void IrregularAtom::find_angles() {
   angles_.clear();
   for (std::size_t k = 1; k < near_.count; ++k) {
     for (std::size_t j = 0; j < k; ++j) {
@@ -147,7 +147,7 @@ void GeneralAtom::find_angles() {
   }
 }
 
-void GeneralAtom::add_slopes_of_angles() {
+void IrregularAtom::add_slopes_of_angles() {
   for (std::size_t k = 1; k < near_.count; ++k) {
     for (std::size_t j = 0; j < k; ++j) {
       const Angle& between = angle(j, k);
@@ -157,7 +157,7 @@ void GeneralAtom::add_slopes_of_angles() {
 }
 
 // exp λ of an angle at a hydrogen, in p of its bond j.
-double GeneralAtom::stretch_factor(std::size_t j, std::size_t k) const {
+double IrregularAtom::stretch_factor(std::size_t j, std::size_t k) const {
   if (near_.species == Species::carbon) return 1.0;
   const auto stretch = [&](const Neighbor& n) {
     return n.r - in_.parameters.bond(Species::hydrogen, n.species).preferred_length;
@@ -166,7 +166,7 @@ double GeneralAtom::stretch_factor(std::size_t j, std::size_t k) const {
 }
 
 // Returns p of the bond; half of it weighs -V_A in the energy.
-double GeneralAtom::add_sigma(std::size_t j, double attracted) {
+double IrregularAtom::add_sigma(std::size_t j, double attracted) {
   const std::span<const Neighbor> neighbors = near_neighbors_;
   Coordination rest = near_.coordination;
   rest.of(neighbors[j].species) -= neighbors[j].f.value;
@@ -208,7 +208,7 @@ double GeneralAtom::add_sigma(std::size_t j, double attracted) {
 }
 
 // Returns π + T D; weight is the derivative of the energy with respect to it.
-double GeneralAtom::add_pi(std::size_t j, double weight) {
+double IrregularAtom::add_pi(std::size_t j, double weight) {
   const Neighbor& bond = near_neighbors_[j];
   const Center& far = centers_[far_[j]];
   const std::uint32_t back_link = in_.candidates.reverse[bond.link];
@@ -242,8 +242,8 @@ double GeneralAtom::add_pi(std::size_t j, double weight) {
   return pi.value + T.value * D;
 }
 
-void GeneralAtom::find_planes(std::span<const Neighbor> neighbors, std::size_t axis,
-                              std::vector<Plane>& planes) {
+void IrregularAtom::find_planes(std::span<const Neighbor> neighbors, std::size_t axis,
+                                std::vector<Plane>& planes) {
   planes.clear();
   const Neighbor& bond = neighbors[axis];
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
@@ -262,7 +262,7 @@ void GeneralAtom::find_planes(std::span<const Neighbor> neighbors, std::size_t a
 }
 
 // Returns D; weight is the derivative of the energy with respect to it.
-double GeneralAtom::add_dihedral(std::size_t j, std::size_t back, double weight) {
+double IrregularAtom::add_dihedral(std::size_t j, std::size_t back, double weight) {
   const std::span<const Neighbor> far_neighbors = neighbors(centers_[far_[j]]);
   find_planes(near_neighbors_, j, near_planes_);
   find_planes(far_neighbors, back, far_planes_);
@@ -301,7 +301,7 @@ double GeneralAtom::add_dihedral(std::size_t j, std::size_t back, double weight)
   return sum;
 }
 
-void GeneralAtom::clear_links() const {
+void IrregularAtom::clear_links() const {
   const Candidates& c = in_.candidates;
   const std::size_t first = c.first[near_.atom] - out_.first_link;
   const std::size_t end = c.first[near_.atom + 1] - out_.first_link;
@@ -309,7 +309,7 @@ void GeneralAtom::clear_links() const {
 }
 
 // Adds to what the links have; what is kept for irregular neighbors is the atom's own business.
-void GeneralAtom::write() {
+void IrregularAtom::write() {
   const Candidates& c = in_.candidates;
   for (std::uint32_t link = c.first[near_.atom]; link < c.first[near_.atom + 1]; ++link) {
     out_.cutoffs[link] = 0.0;

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "rebo/angular_function.h"
-#include "rebo/bonds.h"
+#include "rebo/bond_list.h"
 #include "rebo/candidates.h"
-#include "rebo/clean_kernel.h"
 #include "rebo/parameters.h"
+#include "rebo/regular_kernel.h"
 
 namespace trivalent::potentials::rebo_detail {
 
@@ -56,10 +56,10 @@ struct Slopes {
 /// The terms are those of BondOrder, cut in another way: an atom takes the derivatives of its own
 /// p, its own coordination and its own planes, for all of its bonds; the atom at the other end does
 /// the same. So no two atoms write to the same place, and sums do not depend on threads.
-class GeneralAtom {
+class IrregularAtom {
  public:
   /// @param atoms  how many from slopes.first_atom on are to be evaluated; others may be neighbors
-  GeneralAtom(const Surroundings& surroundings, const Slopes& slopes, std::uint32_t atoms)
+  IrregularAtom(const Surroundings& surroundings, const Slopes& slopes, std::uint32_t atoms)
       : in_(surroundings), out_(slopes), known_(atoms, unknown) {}
 
   /// Writes everything in Slopes for one atom.

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "rebo/candidates.h"
-#include "rebo/clean_kernel.h"
 #include "rebo/parameters.h"
 #include "rebo/patch.h"
 #include "rebo/prefetch.h"
+#include "rebo/regular_kernel.h"
 #include "rebo/tile_slopes.h"
 
 namespace trivalent::potentials::rebo_detail {
@@ -17,10 +17,10 @@ namespace trivalent::potentials::rebo_detail {
 /// Such a tile is read once: positions, whether atoms moved too far or stopped being regular, and
 /// the evaluation itself all happen while it is in the cache. Whoever calls this finds out whether
 /// atoms farther away are regular.
-class CleanTiles {
+class RegularTiles {
  public:
   /// @param atoms  where they were when `candidates` were found
-  CleanTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff);
+  RegularTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff);
 
   [[nodiscard]] const Patch& patch(std::size_t tile) const { return patches_[tile]; }
 
@@ -35,14 +35,14 @@ class CleanTiles {
     std::vector<std::uint32_t> atoms;    // of the tile: all
   };
 
-  enum class Outcome : std::uint8_t { evaluated, not_clean, moved };
+  enum class Outcome : std::uint8_t { evaluated, not_regular, moved };
 
   struct Task {
     const Atoms& atoms;
     std::size_t tile;
-    double most_moved;  ///< [Å] since the candidates were found
-    const CleanParameters& parameters;
-    CleanKernel kernel;
+    double max_moved;  ///< [Å] since the candidates were found
+    const RegularParameters& parameters;
+    RegularKernel kernel;
   };
 
   /// @return  what became of it; `slopes` only if it was evaluated
