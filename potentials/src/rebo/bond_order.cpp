@@ -237,7 +237,7 @@ void BondOrder::add_corner(const Pair& pair, const Corner& corner, double slope_
 
 // The third atom of a three-membered ring is on both ends: no dihedral angle.
 bool BondOrder::is_ring_of_three(const Pair& pair, const DirectedBond& near,
-                                 const Bond& far) const {
+                                 const DirectedBond& far) const {
   const Eigen::Vector3i image_of_far =
       Eigen::Vector3i::Map(pair.image.data()) + Eigen::Vector3i::Map(far.image.data());
   return far.to == near.to && image_of_far == Eigen::Vector3i::Map(near.image.data());

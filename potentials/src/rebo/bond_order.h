@@ -76,7 +76,7 @@ class BondOrder {
   void add_corner(const Pair& pair, const Corner& corner, double slope_share,
                   const Eigen::Vector3d& slope_normal) const;
   [[nodiscard]] bool is_ring_of_three(const Pair& pair, const DirectedBond& near,
-                                      const Bond& far) const;
+                                      const DirectedBond& far) const;
   template <typename Term>
   [[nodiscard]] double sum_over_dihedrals(const Pair& pair, double weight, Cutoff cutoff,
                                           const Term& term) const;
