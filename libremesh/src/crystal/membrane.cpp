@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace trivalent::remesh {
 
@@ -44,15 +45,62 @@ struct Evaluation {
     return Scalar(0.5) * k * stretch * stretch;
   }
 
-  /// ½ k |c + d - a - b|².
-  [[gnu::always_inline]] Scalar bend(const Hinge& h, Scalar k) const {
+  struct HingeStiffness {
+    Scalar stretching;
+    Scalar rest;
+    Scalar bending;
+  };
+  static constexpr std::size_t at_once = 4;
+
+  /// ½ k (|b - a| - L)² and ½ k |c + d - a - b|² of four hinges at once: roots and quotients take
+  /// longest.
+  [[gnu::always_inline]] Scalar bend(std::span<const Hinge, at_once> hinges,
+                                     const HingeStiffness& k) const {
+    std::array<Lanes<Scalar>, at_once> edges;
+    Eigen::Matrix<Scalar, 4, at_once> squares;
+    for (std::size_t i = 0; i < at_once; ++i) {
+      edges[i] = position(hinges[i].b) - position(hinges[i].a);
+      squares.col(static_cast<Eigen::Index>(i)) = edges[i].cwiseAbs2();
+    }
+    squares.transposeInPlace();
+    const Lanes<Scalar> r = ((squares.col(0) + squares.col(1)) + squares.col(2)).cwiseSqrt();
+    const Lanes<Scalar> stretch = r.array() - k.rest;
+    const Lanes<Scalar> pull = k.stretching * stretch.array() / (r.array() + Scalar(1e-12));
+    Lanes<Scalar> bend = Lanes<Scalar>::Zero();
+    for (std::size_t i = 0; i < at_once; ++i) {
+      const Hinge& h = hinges[i];
+      const Lanes<Scalar> q = (position(h.c) + position(h.d)) - (position(h.a) + position(h.b));
+      bend += q.cwiseAbs2();
+      const Lanes<Scalar> along = pull[static_cast<Eigen::Index>(i)] * edges[i];
+      const Lanes<Scalar> across = k.bending * q;
+      slope(h.a) -= across + along;
+      slope(h.b) -= across - along;
+      slope(h.c) += across;
+      slope(h.d) += across;
+    }
+    return Scalar(0.5) * (k.stretching * stretch.squaredNorm() + k.bending * bend.sum());
+  }
+
+  /// The same of one hinge.
+  Scalar bend(const Hinge& h, const HingeStiffness& k) const {
     const Lanes<Scalar> q = (position(h.c) + position(h.d)) - (position(h.a) + position(h.b));
-    const Lanes<Scalar> force = k * q;
+    const Lanes<Scalar> force = k.bending * q;
     slope(h.a) -= force;
     slope(h.b) -= force;
     slope(h.c) += force;
     slope(h.d) += force;
-    return Scalar(0.5) * k * q.squaredNorm();
+    return Scalar(0.5) * k.bending * q.squaredNorm() + spring(h.a, h.b, k.stretching, k.rest);
+  }
+
+  Scalar bend(const std::vector<Hinge>& hinges, const HingeStiffness& k) const {
+    const std::span all(hinges);
+    Scalar energy = 0;
+    std::size_t i = 0;
+    for (; i + at_once <= all.size(); i += at_once) {
+      energy += bend(all.subspan(i).template first<at_once>(), k);
+    }
+    for (; i < all.size(); ++i) energy += bend(all[i], k);
+    return energy;
   }
 
   Scalar avoid(int a, int b, Scalar k, Scalar nearest) const {
@@ -88,8 +136,7 @@ Scalar membrane_energy(const Membrane& membrane, const MembraneTerms<Scalar>& te
   const auto repulsion = static_cast<Scalar>(membrane.repulsion);
   const auto nearest = static_cast<Scalar>(membrane.contact_distance());
   const auto reach = static_cast<Scalar>(membrane.cover_distance());
-  Scalar energy = 0;
-  for (const Hinge& h : terms.hinges) energy += at.spring(h.a, h.b, k, rest) + at.bend(h, hinge);
+  Scalar energy = at.bend(terms.hinges, {.stretching = k, .rest = rest, .bending = hinge});
   for (const auto& [a, b] : terms.edges) energy += at.spring(a, b, k, rest);
   for (const auto& [a, b] : terms.contacts) energy += at.avoid(a, b, repulsion, nearest);
   for (const Tether<Scalar>& t : terms.tethers) energy += at.hold(t);

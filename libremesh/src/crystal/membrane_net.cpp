@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "crystal/membrane_preconditioner.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -44,13 +46,6 @@ Lanes<double> in_lanes(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 
 constexpr double samples_per_vertex = 2.0;
 
 }  // namespace
-
-MembranePreconditioner::MembranePreconditioner(const Membrane& membrane) {
-  // Six edges of stiffness k, whose directions average to k/2 each way; a vertex is in six hinges
-  // as an end and in six as a corner.
-  along = 1.0 / (3.0 * membrane.stretching);
-  across = 1.0 / (12.0 * membrane.hinge_stiffness());
-}
 
 MembraneNet::MembraneNet(ConstrainedMesh& constrained, const TriMesh& surface,
                          const Membrane& membrane)
@@ -209,14 +204,14 @@ void MembraneNet::relax(int steps) {
   TriMesh& mesh = constrained_.mesh;
   const MembraneTerms<double> all = terms();
   const std::size_t n = mesh.n_vertices();
-  const MembranePreconditioner inverse(membrane_);
   std::vector<Lanes<double>> positions(n);
   std::vector<Lanes<double>> slopes(n);
   Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
   for (std::size_t i = 0; i < n; ++i) {
-    x.segment<4>(4 * static_cast<Eigen::Index>(i)) =
-        in_lanes(mesh.point(VertexHandle(static_cast<int>(i))));
+    positions[i] = in_lanes(mesh.point(VertexHandle(static_cast<int>(i))));
+    x.segment<4>(4 * static_cast<Eigen::Index>(i)) = positions[i];
   }
+  const MembranePreconditioner<double> inverse(membrane_, all, positions, n);
   const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
     std::copy_n(at.data(), at.size(), positions[0].data());
     std::ranges::fill(slopes, Lanes<double>::Zero());
@@ -224,13 +219,7 @@ void MembraneNet::relax(int steps) {
     std::copy_n(slopes[0].data(), at.size(), gradient.data());
     return energy;
   };
-  const auto precondition = [&](Lbfgs<double>::Vector& v) {
-    for (std::size_t i = 0; i < n; ++i) {
-      auto part = v.segment<4>(4 * static_cast<Eigen::Index>(i));
-      const Lanes<double> normal = in_lanes(holds_[i].normals[0]);
-      part = inverse.along * part + (inverse.across - inverse.along) * part.dot(normal) * normal;
-    }
-  };
+  const auto precondition = [&](Lbfgs<double>::Vector& v) { inverse.apply(v); };
   const double tolerance = 1e-6 * static_cast<double>(n);
   minimizer_.minimize(
       x, {.max_steps = steps, .max_move = 0.3 * membrane_.length, .tolerance = tolerance}, evaluate,

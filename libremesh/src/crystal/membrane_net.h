@@ -81,11 +81,4 @@ class MembraneNet {
 /// they may move until pairs are found anew.
 inline constexpr double contact_skin = 1.6;
 
-/// Inverse of the diagonal blocks of the Hessian of a flat net, by direction.
-struct MembranePreconditioner {
-  double across;  ///< along the normal [Å²/eV]
-  double along;   ///< in the plane [Å²/eV]
-  explicit MembranePreconditioner(const Membrane& membrane);
-};
-
 }  // namespace trivalent::remesh

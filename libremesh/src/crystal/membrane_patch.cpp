@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "crystal/membrane_preconditioner.h"
+
 namespace trivalent::remesh {
 
 MembranePatch::MembranePatch(const MembraneNet& net, VertexHandle center, const PointGrid& grid,
@@ -151,9 +153,7 @@ double MembranePatch::core_energy() const {
 std::optional<double> MembranePatch::relax(const Relaxation& relaxation, Lbfgs<float>& minimizer) {
   const MembraneTerms<float> all = terms();
   const double cores = core_energy();
-  const MembranePreconditioner inverse(*membrane_);
-  const auto along = static_cast<float>(inverse.along);
-  const auto difference = static_cast<float>(inverse.across - inverse.along);
+  const MembranePreconditioner<float> inverse(*membrane_, all, x_, at(topology_.inner_count()));
   const Eigen::Index n = 4 * static_cast<Eigen::Index>(topology_.inner_count());
   std::vector<Vector> slopes(x_.size());
   const auto evaluate = [&](const Lbfgs<float>::Vector& from, Lbfgs<float>::Vector& gradient) {
@@ -163,13 +163,7 @@ std::optional<double> MembranePatch::relax(const Relaxation& relaxation, Lbfgs<f
     std::copy_n(slopes[0].data(), n, gradient.data());
     return energy;
   };
-  const auto precondition = [&](Lbfgs<float>::Vector& v) {
-    for (std::size_t i = 0; i < holds_.size(); ++i) {
-      auto part = v.segment<4>(4 * static_cast<Eigen::Index>(i));
-      const Vector& normal = holds_[i].normal;
-      part = along * part + (difference * part.dot(normal)) * normal;
-    }
-  };
+  const auto precondition = [&](Lbfgs<float>::Vector& v) { inverse.apply(v); };
   bool is_hopeless = false;
   const auto gives_up = [&](float energy, float predicted) {
     // Times the decrease that the quadratic model predicts, which knows stiff directions only at
