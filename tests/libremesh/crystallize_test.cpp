@@ -53,6 +53,15 @@ TEST(CrystallizeNet, NeedsNoScarsOnASphere) {
   EXPECT_LE(measure_quality(crystallize(sphere, options).mesh).valences[7], 6);
 }
 
+TEST(CrystallizeNet, HasTwelvePentagonsAndNoPairsOnASmallSphere) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.05);
+  const double target = std::sqrt(surface_area(sphere) / (std::sqrt(3.0) / 4.0 * 960.0));
+  const CrystalOptions options = {.target_edge_length = target, .rest = NetRest::in_space};
+  const auto valences = measure_quality(crystallize(sphere, options).mesh).valences;
+  EXPECT_EQ(valences.at(5), 12);
+  EXPECT_EQ(valences.size(), 2U);
+}
+
 TEST(CrystallizeNet, HasTheFacesThatFitTheArea) {
   const TriMesh torus = make_shape("torus", {}, 0.1);
   const double target = 0.12;

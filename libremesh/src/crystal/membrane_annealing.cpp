@@ -21,8 +21,11 @@ constexpr int max_new_disorder = 2;
 constexpr int patch_steps = 60;
 constexpr int rounds_per_relaxation = 5;
 constexpr int steps_per_relaxation = 25;
+/// Temperatures above the last go with this power of the rounds that remain: a net orders as a
+/// whole while it is hot, where rounds cost half as much.
+constexpr double cooling_power = 0.7;
 /// Of the temperature: how exactly the energy of a patch must be known.
-constexpr double relative_tolerance = 0.02;
+constexpr double relative_tolerance = 0.06;
 constexpr double min_tolerance = 0.002;  // [eV]
 constexpr double min_gain = 0.01;        // [eV] at temperature 0, so that no move is made twice
 
@@ -47,9 +50,10 @@ class MembraneAnnealing {
     int moves = 0;
     renew();
     for (int round = 0; round < options_.rounds; ++round) {
-      const double passed = (round + 1.0) / options_.rounds;
-      temperature_ = options_.first_temperature +
-                     passed * (options_.last_temperature - options_.first_temperature);
+      const double remaining = 1.0 - (round + 1.0) / options_.rounds;
+      temperature_ =
+          options_.last_temperature + std::pow(remaining, cooling_power) *
+                                          (options_.first_temperature - options_.last_temperature);
       seed_ = hashed(options_.seed, static_cast<std::uint64_t>(round));
       moves += play_round();
       if ((round + 1) % rounds_per_relaxation == 0) {

@@ -8,7 +8,7 @@
 namespace trivalent::remesh {
 
 struct MembraneAnnealingOptions {
-  double first_temperature = 0.0;  ///< [eV]; falls linearly to the last
+  double first_temperature = 0.0;  ///< [eV]; falls to the last, slowly at first
   double last_temperature = 0.0;   ///< [eV]
   int rounds = 0;
   int wanted_vertices = 0;  ///< N0

@@ -8,7 +8,8 @@
 
 namespace trivalent::remesh {
 
-/// Inverse of the 3 × 3 diagonal blocks of the Hessian of a membrane's energy, for its minimization.
+/// Inverse of the 3 × 3 diagonal blocks of the Hessian of a membrane's energy, for its
+/// minimization.
 ///
 /// Springs count as if they were at rest, so that every block is positive definite. Blocks follow
 /// the directions of the edges: along the net they are stiff, across it soft, however it is tilted.

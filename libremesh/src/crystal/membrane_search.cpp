@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,12 @@ struct Schedule {
   int rounds;
 };
 /// The first net orders as a whole: hot and slow.
-constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 1600};
+constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 2400};
+/// How a net freezes is luck, which averages out in a large one: small ones are ordered as often as
+/// makes this many vertices in all, and the one of least energy is taken.
+constexpr int searched_vertices = 2400;
+constexpr int max_searches = 8;
+constexpr int min_ordering_rounds = 600;  // of each of them
 /// After a division defects only find their places.
 constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
@@ -80,11 +86,15 @@ class MembraneSearch {
   std::optional<FoundNet> run() {
     const std::optional<std::size_t> first = start();
     if (!first) return std::nullopt;
-    watch_.expect(rounds_of(ordering) +
+    const int searches = searches_for(net_.mesh);
+    Schedule schedule = ordering;
+    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
+    watch_.expect(searches * rounds_of(schedule) +
                   static_cast<int>(levels.size() - 1 - *first) * rounds_of(settling));
-    for (std::size_t level = *first; level < levels.size(); ++level) {
-      if (level > *first) divide();
-      anneal_level(levels[level], level == *first ? ordering : settling);
+    order(levels[*first], schedule, searches);
+    for (std::size_t level = *first + 1; level < levels.size(); ++level) {
+      divide();
+      anneal_level(levels[level], settling, options_.seed);
     }
     finish();
     scale(net_.mesh, 1.0 / scale_);
@@ -149,11 +159,39 @@ class MembraneSearch {
     return euler + static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
   }
 
-  void anneal_level(const Level& level, const Schedule& schedule) {
+  [[nodiscard]] int searches_for(const TriMesh& first_net) const {
+    if (options_.effort == Effort::quick) return 1;
+    return std::clamp(searched_vertices / static_cast<int>(first_net.n_vertices()), 1,
+                      max_searches);
+  }
+
+  /// Anneals the first net several times, and keeps the one of least energy.
+  void order(const Level& level, const Schedule& schedule, int searches) {
+    const ConstrainedMesh::State start = net_.on_surface.state();
+    ConstrainedMesh::State best;
+    double min_energy = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < searches && !watch_.stopped(); ++k) {
+      net_.on_surface.restore(start);
+      // The odd constant keeps the searches of small seeds apart.
+      const std::uint64_t seed =
+          options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
+      const double energy = anneal_level(level, schedule, seed);
+      if (energy >= min_energy) continue;
+      min_energy = energy;
+      best = net_.on_surface.state();
+    }
+    net_.on_surface.restore(best);
+  }
+
+  /// @return  Energy of the membrane, cores included [eV].
+  double anneal_level(const Level& level, const Schedule& schedule, std::uint64_t seed) {
     const Membrane membrane = membrane_at(level);
     net_.on_surface.stay_on_sheets(sheet_reach * membrane.length);
     MembraneNet net(net_.on_surface, surface_, membrane);
-    if (watch_.stopped()) return net.relax(hasty_steps);
+    if (watch_.stopped()) {
+      net.relax(hasty_steps);
+      return energy_of(net);
+    }
     net.relax(opening_steps);
     net.renew();
     net.relax(opening_steps);
@@ -163,18 +201,21 @@ class MembraneSearch {
     options.last_temperature = is_last ? 0.0 : schedule.cold;
     options.rounds = rounds_of(schedule);
     options.wanted_vertices = wanted_vertices(level);
-    options.seed = options_.seed * levels.size() + static_cast<std::uint64_t>(level.coarseness);
+    options.seed = seed * levels.size() + static_cast<std::uint64_t>(level.coarseness);
     options.after_round = [&](int) {
       return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);
     };
     anneal_membrane(net, options);
-    if (!is_last) return;
+    if (!is_last) return energy_of(net);
     options.first_temperature = 0.0;
     options.rounds = tidying_rounds;
     options.least_deviation = 2;
     options.after_round = {};
     anneal_membrane(net, options);
+    return energy_of(net);
   }
+
+  static double energy_of(MembraneNet& net) { return net.elastic_energy() + net.core_energy(); }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {
     // Defects need some rounds to find their places, however short the search.
