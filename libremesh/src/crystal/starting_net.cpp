@@ -6,7 +6,7 @@
 #include "crystal/spring_relaxation.h"
 #include "crystal/thin_parts.h"
 #include "equalize/paper_loop.h"
-#include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
@@ -47,13 +47,12 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
   return std::ranges::max(distances_from(surface, net.mesh)) < farthest_covered * length;
 }
 
-bool can_hold(const TriMesh& surface, const RemeshOptions& options) {
-  try {
-    check_remeshable(surface, options);
-  } catch (const InvalidOption&) {
-    return false;  // a part of the surface cannot hold so long an edge
-  }
-  return true;
+/// Whether every part of the surface has room for edges of this length.
+bool can_hold(const TriMesh& surface, double length) {
+  return std::ranges::all_of(find_components(surface).parts, [&](const MeshComponent& part) {
+    return length <= longest_edge_for(part.area, part.is_closed()) &&
+           length <= longest_edge_along(part.area, part.box.longest_side());
+  });
 }
 
 }  // namespace
@@ -79,7 +78,7 @@ std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& 
   const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
   const double length = options.length;
   if (area < min_coarse_vertices * unit_area * length * length) return nullptr;
-  if (!can_hold(surface, paper_options(options))) return nullptr;
+  if (!can_hold(surface, length)) return nullptr;
   std::unique_ptr<Net> net = starting_net(surface, creases, options);
   unfold(net->on_surface);
   relax_springs(net->on_surface, length, opening_sweeps);
