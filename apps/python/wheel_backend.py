@@ -1,5 +1,9 @@
 """Builds the wheel with CMake: what `pip install .` calls. Needs cmake, a compiler and the packages of
-scripts/install_deps.sh; nothing is downloaded but the page's JavaScript (npm ci)."""
+scripts/install_deps.sh; nothing is downloaded but the page's JavaScript (npm ci).
+
+    pip install . --no-build-isolation                                         # builds in build/wheel
+    pip install . --no-build-isolation --config-settings build-dir=build/release  # uses a build tree that is there
+"""
 
 from __future__ import annotations
 
@@ -23,15 +27,22 @@ def _version() -> str:
     raise ValueError("pyproject.toml tells no version")
 
 
-def _install_package(folder: pathlib.Path) -> None:
-    """Has CMake build the module and install it into a folder."""
-    build = root / "build" / "wheel"
-    configure = ["cmake", "-S", root, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
-    configure += [f"-DTRIVALENT_PYTHON={sys.executable}", f"-DTRIVALENT_PYTHON_FOLDER={folder}"]
-    configure += ["-DTRIVALENT_BUILD_TESTS=OFF", "-DTRIVALENT_WARNINGS_AS_ERRORS=OFF"]
-    subprocess.run(configure, check=True)
-    subprocess.run(["cmake", "--build", build, "--target", "trivalent_python"], check=True)
-    subprocess.run(["cmake", "--install", build, "--component", "python", "--strip"], check=True)
+def _install_package(build: pathlib.Path, folder: str) -> pathlib.Path:
+    """Has CMake build the module and install it below a folder; returns where the package then is."""
+    if not (build / "CMakeCache.txt").exists():
+        configure = ["cmake", "-S", str(root), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
+        configure += [f"-DTRIVALENT_PYTHON={_interpreter()}", "-DTRIVALENT_BUILD_TESTS=OFF"]
+        configure += ["-DTRIVALENT_WARNINGS_AS_ERRORS=OFF"]
+        subprocess.run(configure, check=True)
+    subprocess.run(["cmake", "--build", str(build), "--target", "trivalent_python"], check=True)
+    install = ["cmake", "--install", str(build), "--component", "python", "--strip", "--prefix", folder]
+    subprocess.run(install, check=True)
+    return next(pathlib.Path(folder).rglob("trivalent")).parent
+
+
+def _interpreter() -> str:
+    """The Python that pip runs, not the environment around it: the module is for all of its kind."""
+    return os.path.realpath(sys.executable)
 
 
 def _write_metadata(folder: pathlib.Path, tag: str) -> None:
@@ -52,8 +63,9 @@ def build_wheel(
     tag = f"{python}-{python}-{platform}"
     name = f"trivalent-{_version()}"
     with tempfile.TemporaryDirectory() as folder:
-        _install_package(pathlib.Path(folder))
-        _write_metadata(pathlib.Path(folder) / f"{name}.dist-info", tag)
+        build = root / (config_settings or {}).get("build-dir", "build/wheel")
+        packages = _install_package(build, folder)
+        _write_metadata(packages / f"{name}.dist-info", tag)
         with WheelFile(os.path.join(wheel_directory, f"{name}-{tag}.whl"), "w") as wheel:
-            wheel.write_files(folder)
+            wheel.write_files(str(packages))
     return f"{name}-{tag}.whl"

@@ -1,7 +1,9 @@
 """Shells out of shapes: the same as the program makes, whatever form the shape has."""
 
 import json
+import os
 import pathlib
+import signal
 import threading
 import types
 from typing import Any, Callable
@@ -126,3 +128,22 @@ def test_two_threads_give_the_same_bytes() -> None:
     for i in (0, 1):
         assert shells[i].positions.tobytes() == shells[2].positions.tobytes()
         assert shells[i].forces.tobytes() == shells[2].forces.tobytes()
+
+
+def interrupt_soon() -> threading.Timer:
+    timer = threading.Timer(0.7, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    return timer
+
+
+def test_an_interrupt_raises_or_keeps_the_best_so_far() -> None:
+    timer = interrupt_soon()
+    with pytest.raises(KeyboardInterrupt):
+        trivalent.build("torus", atoms=20000, effort="thorough")
+    timer.join()
+    timer = interrupt_soon()
+    shell = trivalent.build("torus", atoms=20000, effort="thorough", on_interrupt="keep")
+    timer.join()
+    assert any("stopped" in note for note in shell.notes)
+    with pytest.raises(trivalent.InvalidOption, match="raise or keep"):
+        trivalent.build("torus", on_interrupt="other")  # type: ignore[arg-type]

@@ -24,25 +24,38 @@ class Calculator {
                                          const py::handle& cell,
                                          const std::array<bool, 3>& periodic) {
     const potentials::Box box = box_of(cell, periodic);
-    potentials::Atoms atoms = take_memory();
-    set_atoms(atoms, positions, numbers, box);
+    Memory memory = take_memory();
+    set_atoms(memory.atoms, positions, numbers, box);
     const py::gil_scoped_release released;
     const std::scoped_lock lock(evaluating_);
-    auto result = std::make_shared<EnergyForces>(potential_->evaluate(atoms));
-    memory_ = std::move(atoms);
+    auto result = std::make_shared<EnergyForces>(
+        potential_->evaluate(memory.atoms, std::move(memory.result)));
+    last_atoms_ = std::move(memory.atoms);
+    last_result_ = result;
     return result;
   }
 
  private:
-  /// The arrays of the last call; empty ones while another thread evaluates.
-  potentials::Atoms take_memory() {
+  struct Memory {
+    potentials::Atoms atoms = {};
+    EnergyForces result = {};
+  };
+
+  /// The arrays of the last call, as far as Python has none of them; none while another thread
+  /// evaluates.
+  Memory take_memory() {
     const std::unique_lock lock(evaluating_, std::try_to_lock);
-    return lock ? std::move(memory_) : potentials::Atoms{};
+    if (!lock) return {};
+    Memory memory = {.atoms = std::move(last_atoms_)};
+    if (last_result_.use_count() == 1) memory.result = std::move(*last_result_);
+    last_result_.reset();
+    return memory;
   }
 
   std::mutex evaluating_;
   std::unique_ptr<potentials::Potential> potential_;
-  potentials::Atoms memory_;
+  potentials::Atoms last_atoms_;
+  std::shared_ptr<EnergyForces> last_result_;
 };
 
 std::unique_ptr<Calculator> make_calculator(const std::string& name, double epsilon, double sigma,

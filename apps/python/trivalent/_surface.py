@@ -11,6 +11,8 @@ import numpy.typing as npt
 from . import _core
 from ._errors import InvalidArray, InvalidOption
 
+_max_numbers = 1_000_000_000
+
 #: A path, a built-in shape ("torus:R=3,r=1"), a Surface, arrays (vertices, faces), or any object with
 #: .vertices and .faces (trimesh), .points and .faces or .cells (PyVista, meshio).
 SurfaceLike = Any
@@ -108,6 +110,8 @@ def _face_arrays(faces: Any) -> list[Any]:
 
 def _padded_faces(array: npt.NDArray[Any]) -> list[Any]:
     """VTK's way: the number of corners before each face's."""
+    if array.size > _max_numbers:
+        raise InvalidArray(f"faces: {array.size} numbers are more than a surface can have")
     width = int(array[0]) + 1
     if width > 1 and array.size % width == 0 and bool((array[::width] == width - 1).all()):
         return [array.reshape(-1, width)[:, 1:]]

@@ -28,11 +28,30 @@ __all__ = ["REBO", "AIREBO", "LennardJones"]
 class _Potential(Calculator, metaclass=abc.ABCMeta):  # type: ignore[misc]
     """What the three have in common."""
 
+    atoms: Any
+    results: dict[str, Any]
     implemented_properties = ["energy", "free_energy", "energies", "forces", "stress"]
 
     def __init__(self, potential: _core.Calculator, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self._potential = potential
+
+    def reset(self) -> None:
+        """Clears the results; the atoms' memory is kept for the next ones."""
+        self.results = {}
+
+    def check_state(self, atoms: Atoms, tol: float = 0.0) -> list[str]:
+        """What has changed of the atoms, exactly: faster than ASE's comparison within a tolerance."""
+        known = self.atoms
+        if known is None:
+            return list(all_changes)
+        pairs = {
+            "positions": (known.positions, atoms.positions),
+            "numbers": (known.numbers, atoms.numbers),
+            "cell": (known.cell.array, atoms.cell.array),
+            "pbc": (known.pbc, atoms.pbc),
+        }
+        return [name for name, (old, new) in pairs.items() if not np.array_equal(old, new)]
 
     def calculate(
         self,
@@ -41,7 +60,11 @@ class _Potential(Calculator, metaclass=abc.ABCMeta):  # type: ignore[misc]
         system_changes: _Sequence[str] = all_changes,
     ) -> None:
         """Evaluates energy [eV], forces [eV/Å] and, if there is a cell, stress [eV/Å³], all at once."""
-        super().calculate(atoms, properties, system_changes)
+        if atoms is not None:
+            if self.atoms is not None and list(system_changes) == ["positions"]:
+                self.atoms.positions[:] = atoms.positions
+            else:
+                self.atoms = atoms.copy()
         cell = self.atoms.cell
         found = self._potential.evaluate(self.atoms.positions, self.atoms.numbers, cell.array, list(self.atoms.pbc))
         self.results = {
