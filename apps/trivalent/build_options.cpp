@@ -6,12 +6,10 @@
 #include "repair_options.h"
 #include "size_options.h"
 #include "trivalent/formats/structure_format.h"
+#include "trivalent/shell/option_names.h"
 
 namespace trivalent::apps {
 namespace {
-
-constexpr shell::Names<shell::EdgeCap, 2> caps = {
-    {{"none", shell::EdgeCap::none}, {"hydrogen", shell::EdgeCap::hydrogen}}};
 
 std::vector<std::string> formats(const Session& session) {
   const auto names = session.find<std::vector<std::string>>("format");
@@ -35,7 +33,7 @@ Grammar grammar_of_build() {
   po::options_description files("Output");
   files.add_options()                                                                  //
       ("output,o", po::value<std::string>(), "folder for the results; must be given")  //
-      ("cap", with_default_name(shell::EdgeCap::none, caps),
+      ("cap", with_default_name(shell::EdgeCap::none, shell::cap_names),
        "hydrogen: puts H on the atoms at the edge of an open shell")  //
       ("no-relax", "leave the atoms where the dual puts them")        //
       ("dry-run", "only tell what would be built, and whether it can be");
@@ -58,7 +56,7 @@ BuildRequest build_request(const Session& session) {
           .build = {.shell = {.size = shell_size(session),
                               .bond = session.get<double>("bond"),
                               .method = remesh_method(session)},
-                    .cap = named_value(session, "cap", caps),
+                    .cap = named_value(session, "cap", shell::cap_names),
                     .relaxation = session.has("no-relax") ? shell::Relaxation::none
                                                           : shell::Relaxation::rebo},
           .files = {.digits = digits(session),

@@ -9,14 +9,12 @@
 #include "potential_options.h"
 #include "structure_options.h"
 #include "trivalent/shell/number_text.h"
+#include "trivalent/shell/option_names.h"
 
 namespace trivalent::apps {
 namespace {
 
 constexpr std::array<std::string_view, 2> trajectory_extensions = {".extxyz", ".xyz"};
-
-constexpr shell::Names<potentials::Minimizer, 2> minimizers = {
-    {{"lbfgs", potentials::Minimizer::lbfgs}, {"fire", potentials::Minimizer::fire}}};
 
 /// LAMMPS's part of the options, if it is to do the work.
 std::optional<shell::LammpsRelaxation> lammps_relaxation(const Session& session,
@@ -111,7 +109,9 @@ shell::RelaxOptions relax_options(const Session& session) {
   options.on_note = [&session](const std::string& note) { session.terminal.note(note); };
   if (options.lammps) return options;
   options.checkpoint = session.get<std::string>("output") + ".checkpoint";
-  if (session.has("minimizer")) options.minimizer = named_value(session, "minimizer", minimizers);
+  if (session.has("minimizer")) {
+    options.minimizer = named_value(session, "minimizer", shell::minimizer_names);
+  }
   return options;
 }
 

@@ -5,6 +5,7 @@
 #include "size_options.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/structure_format.h"
+#include "trivalent/shell/option_names.h"
 
 namespace trivalent::apps {
 namespace {
@@ -17,14 +18,6 @@ std::array<bool, 3> periodic_directions(const std::string& text) {
   const auto has = [&](char axis) { return text.find(axis) != std::string::npos; };
   return {has('x'), has('y'), has('z')};
 }
-
-constexpr shell::Names<dual::AtomStyle, 6> read_styles = {
-    {{"atomic", dual::AtomStyle::atomic},
-     {"charge", dual::AtomStyle::charge},
-     {"molecular", dual::AtomStyle::molecular},
-     {"bond", dual::AtomStyle::molecular},
-     {"angle", dual::AtomStyle::molecular},
-     {"full", dual::AtomStyle::full}}};
 
 /// Symbols, also several in one word: C,H.
 std::vector<potentials::Species> elements_of(const std::vector<std::string>& words) {
@@ -51,7 +44,7 @@ dual::ReadOptions read_options(const Session& session, const std::string& style_
     options.elements = elements_of(*words);
   }
   if (session.has(style_option)) {
-    options.atom_style = named_value(session, style_option, read_styles);
+    options.atom_style = named_value(session, style_option, shell::read_style_names);
   }
   return options;
 }

@@ -86,6 +86,10 @@ def test_files_bring_back_the_same(tmp_path: pathlib.Path) -> None:
     molecular = trivalent.read(tmp_path / "a.data", periodic=False)
     assert np.array_equal(molecular.positions, shell.positions)
     assert len(molecular.bonds) == len(shell.bonds)
+    (tmp_path / "frames").write_text((tmp_path / "a.extxyz").read_text() * 2)
+    assert len(trivalent.read(tmp_path / "frames", format="extxyz", frame=1)) == len(shell)
+    with pytest.raises(trivalent.InvalidOption, match="elements"):
+        trivalent.read(tmp_path / "a.data", elements=["O"])
     with pytest.raises(trivalent.InvalidOption, match="extension"):
         shell.write(tmp_path / "a.unknown")
     with pytest.raises(trivalent.FileError):

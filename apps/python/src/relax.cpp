@@ -7,6 +7,7 @@
 #include "module.h"
 #include "options.h"
 #include "trivalent/formats/lammps_package.h"
+#include "trivalent/potentials/bonds.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/remesh/mesh.h"
 #include "trivalent/shell/certify.h"
@@ -147,9 +148,13 @@ std::vector<std::string> lammps_package(const StructurePointer& structure,
                                            given.find<std::filesystem::path>("potential_file")};
   options.potential_file = shell::find_potential_file(lammps).name;
   const py::gil_scoped_release released;
-  const double energy = potentials::rebo(structure->atoms).energy;
+  dual::Structure written = *structure;
+  if (written.bonds.empty() && options.data.style == dual::AtomStyle::molecular) {
+    written.bonds = potentials::guess_bonds(written.atoms).bonds;
+  }
+  const double energy = potentials::rebo(written.atoms).energy;
   std::filesystem::create_directories(folder);
-  return dual::write_lammps_package(folder, *structure, energy, options).files;
+  return dual::write_lammps_package(folder, written, energy, options).files;
 }
 
 }  // namespace

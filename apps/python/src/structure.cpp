@@ -9,6 +9,7 @@
 #include "module.h"
 #include "options.h"
 #include "trivalent/dual/structure.h"
+#include "trivalent/formats/elements.h"
 #include "trivalent/formats/structure_format.h"
 #include "trivalent/shell/option_names.h"
 #include "trivalent/shell/structure_source.h"
@@ -129,11 +130,34 @@ std::shared_ptr<Structure> with_columns(const Structure& structure, const py::di
   return result;
 }
 
+std::vector<potentials::Species> elements_of(const std::vector<std::string>& symbols) {
+  std::vector<potentials::Species> elements;
+  for (const std::string& symbol : symbols) {
+    const auto element = dual::element_of_symbol(symbol);
+    if (!element) throw WrongOption("elements are C and H, not '" + symbol + "'");
+    elements.push_back(*element);
+  }
+  return elements;
+}
+
+dual::ReadOptions read_options(const Options& given) {
+  dual::ReadOptions options = {.frame = given.find<int>("frame")};
+  if (const auto symbols = given.find<std::vector<std::string>>("elements")) {
+    options.elements = elements_of(*symbols);
+  }
+  if (given.has("atom_style")) {
+    given.set("atom_style", options.atom_style.emplace(), shell::read_style_names);
+  }
+  return options;
+}
+
 /// The structure in a file, and what was left out or assumed.
 py::tuple read(const std::filesystem::path& path, const py::dict& values) {
   const Options given(values);
   const shell::StructureOptions options = {.size = dual_size(given),
-                                           .periodic = given.find<std::array<bool, 3>>("periodic")};
+                                           .periodic = given.find<std::array<bool, 3>>("periodic"),
+                                           .format = given.find<std::string>("format"),
+                                           .reading = read_options(given)};
   dual::StructureFile file;
   {
     const py::gil_scoped_release released;

@@ -326,7 +326,7 @@ def lammps_package(
     """Writes a folder with which LAMMPS can start: data [Å], and scripts that check, relax and run it.
 
     folder: made if it is missing
-    atom_style: "atomic", or "molecular" with the bonds, and with the angles if `angles`
+    atom_style: "atomic", or "molecular" with the bonds (found by distance if unknown), and with the angles if `angles`
     gzip: compress the data
     digits: "decimals" for ten decimals, "17" for 17 significant digits, which keep every bit
     atoms_per_file: write data of more atoms in parts
@@ -343,6 +343,10 @@ def lammps_package(
 def read(
     path: str | os.PathLike[str],
     *,
+    format: str | None = None,
+    frame: int | None = None,
+    elements: _Sequence[str] | None = None,
+    atom_style: str | None = None,
     periodic: _Periodic | None = None,
     bond: float | None = None,
     length: float | None = None,
@@ -350,7 +354,11 @@ def read(
 ) -> Shell:
     """Reads atoms [Å] from a file.
 
-    path: extended XYZ, LAMMPS data, or a mesh, whose dual is taken
+    path: extended XYZ, LAMMPS data, ..., or a mesh, whose dual is taken
+    format: of the file, whatever its name
+    frame: which of several structures, from 1; None: the last
+    elements: symbols of LAMMPS's types 1, 2, ... where the file does not tell them
+    atom_style: of LAMMPS data where it does not tell it: "atomic", "charge", "molecular", "full"
     periodic: which cell vectors are periodic, instead of what the file says
     bond, length, scale: size of the dual, as in `dual`
     """

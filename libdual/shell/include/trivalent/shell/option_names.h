@@ -42,6 +42,14 @@ inline constexpr Names<dual::Digits, 2> digits_names = {
     {{"decimals", dual::Digits::ten_decimals}, {"17", dual::Digits::seventeen_significant}}};
 inline constexpr Names<dual::AtomStyle, 2> atom_style_names = {
     {{"atomic", dual::AtomStyle::atomic}, {"molecular", dual::AtomStyle::molecular}}};
+/// LAMMPS's atom_styles of data that can be read.
+inline constexpr Names<dual::AtomStyle, 6> read_style_names = {
+    {{"atomic", dual::AtomStyle::atomic},
+     {"charge", dual::AtomStyle::charge},
+     {"molecular", dual::AtomStyle::molecular},
+     {"bond", dual::AtomStyle::molecular},
+     {"angle", dual::AtomStyle::molecular},
+     {"full", dual::AtomStyle::full}}};
 inline constexpr Names<dual::PictureStyle, 2> picture_style_names = {
     {{"atoms", dual::PictureStyle::atoms}, {"rings", dual::PictureStyle::rings}}};
 
