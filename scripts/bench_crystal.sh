@@ -2,9 +2,9 @@
 # Crystal nets of real meshes: quality, distance, energy above graphene after relaxation, seconds and
 # peak memory, each beside the paper's method and CGAL's isotropic remeshing (one thread) in the same
 # run; the last row is bunny00 with ten times the vertices, for the growth. Then shells of carbon as
-# `build` makes them: excess energy beside the icosahedral law for spheres, distances from the surface
-# both ways before relaxation, bonds broken and formed. Needs a release build with
-# -DTRIVALENT_BUILD_BENCHMARKS=ON.
+# `build` makes them: excess energy beside the icosahedral law for spheres, bending energy and 5-7 pairs
+# left over, distances from the surface both ways before relaxation and at rest, bonds broken and
+# formed. Needs a release build with -DTRIVALENT_BUILD_BENCHMARKS=ON.
 #
 #   scripts/bench_crystal.sh [MESH EDGE]...    default: meshes of Debian's libcgal-demo
 set -euo pipefail
@@ -74,15 +74,19 @@ def shell_row(name, shape, atoms, *options):
     excess = 1000 * report['energy']['after']['excess_per_atom']
     law = f'{1000 * (9.844 * math.log(count) - 7.52) / count:6.2f}' if shape == 'sphere' else '     -'
     sizes = report['quality']['valences']
-    there, back = report['distance']['to_original'], report['distance']['from_original']
     relaxation = report['relaxation']
+    budget = report['energy']['budget']
+    distances = '  '.join(f'{side["root_mean_square"]:5.2f}/{side["max"]:<6.2f}'
+                          for distance in (report['distance'], relaxation['distance'])
+                          for side in (distance['to_original'], distance['from_original']))
     print(f'{name:24} {count:6d}  {excess:7.2f}  {law}  {sizes.get("5", 0):4d}/{sizes.get("7", 0):<4d}'
-          f'  {there["root_mean_square"]:5.2f}/{there["max"]:<6.2f} {back["root_mean_square"]:5.2f}/{back["max"]:<6.2f}'
+          f'  {1000 * budget["bending"] / count:6.2f}  {budget["pentagon_heptagon_pairs"]:5d}  {distances}'
           f'  {report["quality"]["self_intersections"]:9d}  {len(relaxation["bonds_broken"]):6d} {len(relaxation["bonds_formed"]):6d}'
           f'  {seconds:5.1f}  {cpu:7.1f}  {memory:5.0f}', flush=True)
 
 
-print('\nshell                     atoms   meV/atom  law   5/7 rings  to the surface, from it [Å, rms/max]'
+print('\nshell                     atoms   meV/atom  law   5/7 rings  bending  pairs'
+      '  to the surface, from it, the same at rest [Å, rms/max]'
       '  crossings  broken formed      s  (CPU s)   MiB')
 for atoms in (240, 960, 2160, 6000, 8000, 20000):
     shell_row(f'sphere-{atoms}', 'sphere', atoms)

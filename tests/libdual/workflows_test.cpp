@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "small_meshes.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/dual_size.h"
+#include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/shell/atom_groups.h"
@@ -113,6 +115,24 @@ TEST(Build, GivesAShellAtRestThatIsSound) {
   EXPECT_TRUE(certificate.is_sound()) << certificate.json().dump(2);
   EXPECT_TRUE(certificate.shell.is_closed());
   EXPECT_NEAR(certificate.energy.energy, result.energy.energy, 1e-9);
+}
+
+TEST(Build, SaysWhereTheEnergySitsAndHowFarTheShellIs) {
+  const BuildOptions options = small_build();
+  const BuildResult result = build(read_surface("sphere", options.shell), options);
+  const auto atoms = static_cast<double>(result.energy.energies.size());
+  const EnergyBudget& budget = result.budget;
+  EXPECT_NEAR(budget.total, result.energy.energy - atoms * dual::graphene_energy, 1e-6);
+  EXPECT_EQ(budget.defects.lone_5 - budget.defects.lone_7, 12);
+  ASSERT_TRUE(budget.sphere);
+  EXPECT_GT(budget.total, 0.95 * *budget.sphere);  // a law for large spheres
+  // No closed surface bends less than a sphere [Willmore1965]: κ/2 · 16π; a net sees it coarsely.
+  EXPECT_GT(budget.bending, 0.9 * 0.5 * 1.4 * 16.0 * std::numbers::pi);
+  ASSERT_TRUE(result.distance_at_rest);
+  EXPECT_NEAR(result.distance_at_rest->max(), result.distance.max(),
+              result.relaxation.displacement_largest);
+  EXPECT_EQ(result.json()["relaxation"]["distance"]["max"], result.distance_at_rest->max());
+  EXPECT_EQ(result.json()["energy"]["budget"]["total"], budget.total);
 }
 
 TEST(Build, StopsTheRelaxationWhereItIs) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/shapes.h"
@@ -21,6 +22,19 @@ TEST(FindFeatureLines, FindsEdgesSharperThanAnAngle) {
   EXPECT_NEAR(sharp.length, 12.0 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(find_feature_lines(octahedron(), bend + 1e-9).edges, 0);
   EXPECT_EQ(find_feature_lines(triangular_sheet(3, 3), 0.1).edges, 0);
+}
+
+TEST(BendingIntegral, IsTheSameForSpheresOfAnySize) {
+  for (const double radius : {1.0, 7.0}) {
+    const TriMesh sphere = make_shape("sphere", {{"radius", radius}}, 0.05 * radius);
+    // Edges of 1/20 of the radius see curvatures to about 1 %; areas differ where valences do.
+    const double expected = 16.0 * std::numbers::pi;
+    EXPECT_NEAR(bending_integral(sphere), expected, 0.03 * expected);
+  }
+}
+
+TEST(BendingIntegral, IsNothingOnAPlane) {
+  EXPECT_NEAR(bending_integral(triangular_sheet(5, 5)), 0.0, 1e-12);
 }
 
 TEST(TightlyCurvedFraction, TellsSpheresBySize) {

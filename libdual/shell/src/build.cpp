@@ -1,6 +1,7 @@
 #include "trivalent/shell/build.h"
 
 #include <chrono>
+#include <span>
 
 #include "build_notes.h"
 #include "trivalent/dual/columns.h"
@@ -18,6 +19,23 @@ constexpr Names<BuildStep, 4> step_names = {{{"remesh_and_dual", BuildStep::reme
                                              {"measure", BuildStep::measure},
                                              {"energies", BuildStep::energies},
                                              {"relax", BuildStep::relax}}};
+
+/// The net whose vertices have moved as the atoms around them did on average.
+///
+/// @param before, after  Positions of the atoms, one per face of the net first.
+remesh::TriMesh carried_along(remesh::TriMesh net, std::span<const Eigen::Vector3d> before,
+                              std::span<const Eigen::Vector3d> after) {
+  for (const auto v : net.vertices()) {
+    if (net.is_isolated(v)) continue;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto f : v.faces()) {
+      const auto atom = static_cast<std::size_t>(f.idx());
+      sum += after[atom] - before[atom];
+    }
+    net.point(v) += sum / static_cast<double>(net.valence(v) - (v.is_boundary() ? 1U : 0U));
+  }
+  return net;
+}
 
 /// One build on its way.
 class Build {
@@ -37,6 +55,7 @@ class Build {
   void begin(BuildStep step);
   void end(BuildStep step);
   void cap_edges();
+  [[nodiscard]] double excess_energy() const;
   void evaluate_input();
   void evaluate_shell();
   [[nodiscard]] dual::ShellState state_of_shell(std::string name) const;
@@ -113,6 +132,18 @@ dual::ShellState Build::state_of_shell(std::string name) const {
   return state;
 }
 
+/// Of the carbon atoms above graphene [eV].
+double Build::excess_energy() const {
+  const auto& atoms = result.shell.structure.atoms;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    if (atoms.species[i] == potentials::Species::carbon) {
+      sum += result.energy.energies[i] - dual::graphene_energy;
+    }
+  }
+  return sum;
+}
+
 void Build::evaluate_shell() {
   try {
     result.energy = potentials::rebo(result.shell.structure.atoms);
@@ -122,6 +153,7 @@ void Build::evaluate_shell() {
         "); repair the mesh there, or put a new surface around it: --repair wrap"));
   }
   result.after = state_of_shell("shell");
+  result.budget = energy_budget(result.shell.surface.mesh, excess_energy());
 }
 
 /// The dual of the surface as it came, at the same mean bond. Such a dual may be beyond any
@@ -177,6 +209,10 @@ void Build::relax() {
   result.energy = result.relaxed->result;
   result.after = state_of_shell("relaxed shell");
   result.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
+  const remesh::TriMesh net =
+      carried_along(result.shell.surface.mesh, before, structure.atoms.positions);
+  result.distance_at_rest = remesh::measure_distance(net, result.original);
+  result.budget = energy_budget(net, excess_energy());
   end(BuildStep::relax);
 }
 

@@ -52,7 +52,11 @@ Json BuildResult::json() const {
                {"network", network_json(network)},
                {"hydrogens", caps.hydrogens},
                {"energy", energies_json(*this)}};
-  if (relaxed) json["relaxation"] = relax_json(relaxation, *relaxed);
+  json["energy"]["budget"] = budget.json();
+  if (relaxed) {
+    json["relaxation"] = relax_json(relaxation, *relaxed);
+    json["relaxation"]["distance"] = distance_json(*distance_at_rest);
+  }
   json["seconds"] = Json::object();
   for (const auto& [step, time] : seconds) json["seconds"][step] = time;
   return json;
@@ -76,7 +80,10 @@ std::vector<dual::TableRow> BuildResult::rows() const {
   if (relaxed) {
     rows.push_back({"relaxation"});
     append(rows, relax_rows(relaxation, *relaxed));
+    append(rows, distance_rows(*distance_at_rest));
   }
+  rows.push_back({"energy above graphene"});
+  append(rows, budget.rows());
   return rows;
 }
 

@@ -173,12 +173,16 @@ std::vector<TableRow> components_rows(const remesh::MeshComponents& components) 
 }
 
 std::vector<TableRow> distance_rows(const remesh::TwoSidedDistance& distance) {
-  const auto row = [&](double value) {
-    return significant(value) + " (" + decimals(100.0 * value / distance.diagonal, 3) +
-           " % of the diagonal)";
+  const auto text = [&](const remesh::SurfaceDistance& side) {
+    const auto of_diagonal = [&](double value) {
+      return decimals(100.0 * value / distance.diagonal, 3) + " %";
+    };
+    return "rms " + significant(side.root_mean_square) + ", largest " + significant(side.max) +
+           " (" + of_diagonal(side.root_mean_square) + ", " + of_diagonal(side.max) +
+           " of the diagonal)";
   };
-  return {{"largest distance", row(distance.max())},
-          {"rms distance", row(distance.root_mean_square())}};
+  return {{"from net to surface", text(distance.to_original)},
+          {"from surface to net", text(distance.from_original)}};
 }
 
 std::vector<TableRow> network_rows(const dual::NetworkReport& network) {

@@ -62,6 +62,16 @@ double tightly_curved_fraction(const TriMesh& mesh, double radius) {
   return total > 0.0 ? tight / total : 0.0;
 }
 
+double bending_integral(const TriMesh& mesh) {
+  const auto [area, bend] = bending_of(mesh);
+  double sum = 0.0;
+  for (const auto v : mesh.vertices()) {
+    const double a = area[index(v)];
+    if (a > 0.0 && !v.is_boundary()) sum += 4.0 * bend[index(v)] * bend[index(v)] / a;
+  }
+  return sum;
+}
+
 FineParts find_fine_parts(const TriMesh& mesh, double radius) {
   constexpr std::size_t one_in = 1000;
   const auto [area, bend] = bending_of(mesh);

@@ -17,6 +17,10 @@ struct FeatureLines {
 /// unit]: its mean curvature, from the angles at the edges around a vertex, exceeds 1/radius.
 [[nodiscard]] double tightly_curved_fraction(const TriMesh& mesh, double radius);
 
+/// ∫ (2H)² dA for the mean curvature H as in tightly_curved_fraction(), over the inner vertices:
+/// 16π on a sphere of any size. Twice a plate's bending energy is this times its rigidity.
+[[nodiscard]] double bending_integral(const TriMesh& mesh);
+
 /// Where a net bends too tightly for its edges.
 struct FineParts {
   int vertices = 0;     ///< that bend like a sphere smaller than the radius

@@ -15,6 +15,7 @@
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/shell/build_shell.h"
+#include "trivalent/shell/energy_budget.h"
 #include "trivalent/shell/json.h"
 #include "trivalent/shell/relax_report.h"
 #include "trivalent/shell/surface_source.h"
@@ -57,7 +58,9 @@ struct BuildResult {
   dual::Shell shell = {};
   remesh::MeshQuality quality = {};
   remesh::MeshComponents components = {};  ///< of_face also covers hydrogens
-  remesh::TwoSidedDistance distance = {};
+  remesh::TwoSidedDistance distance = {};  ///< of the net, before the shell is relaxed
+  /// Of the net carried along by the atoms that were relaxed.
+  std::optional<remesh::TwoSidedDistance> distance_at_rest = {};
   dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
   dual::HydrogenCaps caps = {};
   potentials::EnergyForces energy = {};            ///< REBO
@@ -66,6 +69,7 @@ struct BuildResult {
   std::optional<potentials::RelaxResult> relaxed = {};
   RelaxReport relaxation = {};
   dual::ShellState after = {};  ///< the shell
+  EnergyBudget budget = {};     ///< of its energy
   bool stopped = false;         ///< a step ended early because that was asked for
   std::vector<std::pair<std::string, double>> seconds = {};  ///< of every step
 
