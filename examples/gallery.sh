@@ -20,8 +20,10 @@ draw() {
 import json, sys
 report = json.load(open(sys.argv[1]))
 energy, network = report["energy"]["after"], report["network"]
+strain = f"{1000 * energy['excess_per_atom']:.1f} meV/atom above graphene"
+edge = f"edges capped with {report['hydrogens']} H"  # the energies of C-H bonds are not to be compared
 print(f"| ![{sys.argv[2]}](examples/gallery/{sys.argv[2]}.png) | `{sys.argv[3]}` | {network['atoms']} atoms, "
-      f"{100 * network['hexagon_fraction']:.1f} % hexagons, {1000 * energy['excess_per_atom']:.1f} meV/atom above graphene |")
+      f"{100 * network['hexagon_fraction']:.1f} % hexagons, {edge if report['hydrogens'] else strain} |")
 PYTHON
 }
 

@@ -47,6 +47,7 @@ void translate(const std::exception_ptr& pointer) {
 }  // namespace
 
 void translate_errors() {
+  // pybind11 hands it over by value. NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr pointer) { translate(pointer); });
 }
 
