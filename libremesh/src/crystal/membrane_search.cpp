@@ -168,7 +168,7 @@ class MembraneSearch {
   /// Anneals the first net several times, and keeps the one of least energy.
   void order(const Level& level, const Schedule& schedule, int searches) {
     const ConstrainedMesh::State start = net_.on_surface.state();
-    ConstrainedMesh::State best;
+    ConstrainedMesh::State best = start;
     double min_energy = std::numeric_limits<double>::infinity();
     for (int k = 0; k < searches && !watch_.stopped(); ++k) {
       net_.on_surface.restore(start);
