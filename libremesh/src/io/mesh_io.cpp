@@ -7,7 +7,9 @@
 #include <ostream>
 #include <string_view>
 
+#include "io/binary_numbers.h"
 #include "io/mesh_readers.h"
+#include "mesh/geometry.h"
 #include "repair/soup_repair.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/polygon_soup.h"
@@ -70,10 +72,6 @@ void write_ply(std::ostream& out, const TriMesh& mesh) {
   write_faces(out, mesh, "3", 0);
 }
 
-void write_little_endian(std::ostream& out, std::uint32_t value) {
-  for (int k = 0; k < 4; ++k) out.put(static_cast<char>(value >> (8 * k) & 0xffU));
-}
-
 void write_floats(std::ostream& out, const Eigen::Vector3d& p) {
   for (const double x : p)
     write_little_endian(out, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
@@ -86,7 +84,7 @@ void write_stl(std::ostream& out, const TriMesh& mesh) {
   out.write(header.data(), header.size());
   write_little_endian(out, static_cast<std::uint32_t>(mesh.n_faces()));
   for (const auto f : mesh.faces()) {
-    write_floats(out, mesh.calc_normal(f));
+    write_floats(out, face_normal(mesh, f));
     for (const auto v : mesh.fv_range(f)) {
       if (!mesh.point(v).cast<float>().allFinite()) {
         throw FileError(

@@ -46,8 +46,8 @@ class ObjReader {
   }
 
   void count_ignored(const std::string& keyword) {
-    constexpr std::size_t most_kinds = 10;
-    const bool is_known = ignored_.count(keyword) > 0 || ignored_.size() < most_kinds;
+    constexpr std::size_t max_kinds = 10;
+    const bool is_known = ignored_.count(keyword) > 0 || ignored_.size() < max_kinds;
     ++ignored_[is_known ? keyword : "of other kinds"];
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/binary_numbers.h"
 #include "io/mesh_readers.h"
 #include "trivalent/remesh/error.h"
 
@@ -157,7 +158,7 @@ class OffReader {
 /// How a program writes binary files. The format wants the highest byte first and a number of
 /// colors after each face; OpenMesh writes the lowest first, and no colors.
 struct BinaryVariant {
-  bool is_big_endian = true;
+  ByteOrder byte_order = ByteOrder::big_endian;
   bool has_face_colors = true;
 };
 
@@ -190,13 +191,8 @@ class BinaryOffReader {
  private:
   std::uint32_t integer() {
     if (bytes_left() < 4) fail(source_, "the file ends within a number; is it cut short?");
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      bits = bits << 8 |
-             static_cast<unsigned char>(bytes_[at_ + (variant_.is_big_endian ? k : 3 - k)]);
-    }
     at_ += 4;
-    return bits;
+    return static_cast<std::uint32_t>(bits_of(bytes_.substr(at_ - 4, 4), variant_.byte_order));
   }
 
   void read_vertex(std::size_t numbers) {
@@ -237,8 +233,10 @@ class BinaryOffReader {
 };
 
 PolygonSoup read_binary(const Source& source, const Keyword& keyword, std::string_view bytes) {
-  constexpr std::array variants = {BinaryVariant{true, true}, BinaryVariant{true, false},
-                                   BinaryVariant{false, true}, BinaryVariant{false, false}};
+  constexpr std::array variants = {BinaryVariant{ByteOrder::big_endian, true},
+                                   BinaryVariant{ByteOrder::big_endian, false},
+                                   BinaryVariant{ByteOrder::little_endian, true},
+                                   BinaryVariant{ByteOrder::little_endian, false}};
   for (const BinaryVariant variant : variants) {
     // The right one leaves no byte over.
     try {

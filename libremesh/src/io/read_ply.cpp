@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/binary_numbers.h"
 #include "io/mesh_readers.h"
 #include "trivalent/remesh/error.h"
 
@@ -16,44 +16,18 @@ namespace {
 
 enum class Encoding { text, little_endian, big_endian };
 
-enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct NumberName {
-  std::string_view name;
-  Number number;
-};
-constexpr std::array number_names = {
-    NumberName{"char", Number::int8},      NumberName{"int8", Number::int8},
-    NumberName{"uchar", Number::uint8},    NumberName{"uint8", Number::uint8},
-    NumberName{"short", Number::int16},    NumberName{"int16", Number::int16},
-    NumberName{"ushort", Number::uint16},  NumberName{"uint16", Number::uint16},
-    NumberName{"int", Number::int32},      NumberName{"int32", Number::int32},
-    NumberName{"uint", Number::uint32},    NumberName{"uint32", Number::uint32},
-    NumberName{"float", Number::float32},  NumberName{"float32", Number::float32},
-    NumberName{"double", Number::float64}, NumberName{"float64", Number::float64}};
-
-std::size_t size_of(Number number) {
-  switch (number) {
-    case Number::int8:
-    case Number::uint8:
-      return 1;
-    case Number::int16:
-    case Number::uint16:
-      return 2;
-    case Number::int32:
-    case Number::uint32:
-    case Number::float32:
-      return 4;
-    case Number::float64:
-      return 8;
-  }
-  return 8;
-}
+constexpr std::array number_formats = {
+    NamedFormat{"char", int8},      NamedFormat{"int8", int8},       NamedFormat{"uchar", uint8},
+    NamedFormat{"uint8", uint8},    NamedFormat{"short", int16},     NamedFormat{"int16", int16},
+    NamedFormat{"ushort", uint16},  NamedFormat{"uint16", uint16},   NamedFormat{"int", int32},
+    NamedFormat{"int32", int32},    NamedFormat{"uint", uint32},     NamedFormat{"uint32", uint32},
+    NamedFormat{"float", float32},  NamedFormat{"float32", float32}, NamedFormat{"double", float64},
+    NamedFormat{"float64", float64}};
 
 struct Property {
   std::string name;
-  Number number = Number::float32;
-  std::optional<Number> list_size;  ///< type of the length, if it is a list
+  NumberFormat number = float32;
+  std::optional<NumberFormat> list_size;  ///< type of the length, if it is a list
 };
 
 struct Element {
@@ -67,9 +41,9 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Number number_named(std::string_view name, const TextScanner& scanner) {
-  for (const auto& entry : number_names) {
-    if (entry.name == name) return entry.number;
+NumberFormat number_named(std::string_view name, const TextScanner& scanner) {
+  for (const NamedFormat& known : number_formats) {
+    if (known.name == name) return known.format;
   }
   scanner.fail(concat(in_quotes(name), " is no type of PLY numbers"));
 }
@@ -137,22 +111,19 @@ class Body {
     return encoding_ == Encoding::text ? scanner_.bytes_left() : source_.bytes.size() - at_;
   }
 
-  /// Least bytes of a number: a digit and what separates it, if text.
-  [[nodiscard]] std::size_t bytes_of(Number number) const {
-    return encoding_ == Encoding::text ? 2 : size_of(number);
+  /// Minimum size of a number; in text, a digit and a separator.
+  [[nodiscard]] std::size_t bytes_of(NumberFormat format) const {
+    return encoding_ == Encoding::text ? 2 : format.size;
   }
 
-  double number(Number type) {
+  double number(NumberFormat format) {
     if (encoding_ == Encoding::text) return scanner_.number("a property");
-    const std::size_t size = size_of(type);
-    if (bytes_left() < size) fail("the file ends within an element; is it cut short?");
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < size; ++k) {
-      const std::size_t from_top = encoding_ == Encoding::big_endian ? k : size - 1 - k;
-      bits = bits << 8 | static_cast<unsigned char>(source_.bytes[at_ + from_top]);
-    }
-    at_ += size;
-    return value_of(bits, type);
+    if (bytes_left() < format.size) fail("the file ends within an element; is it cut short?");
+    at_ += format.size;
+    const ByteOrder order =
+        encoding_ == Encoding::big_endian ? ByteOrder::big_endian : ByteOrder::little_endian;
+    return number_of(std::string_view(source_.bytes).substr(at_ - format.size, format.size), format,
+                     order);
   }
 
   /// Ends the line of an element, if text.
@@ -167,26 +138,6 @@ class Body {
   }
 
  private:
-  static double value_of(std::uint64_t bits, Number type) {
-    switch (type) {
-      case Number::int8:
-        return static_cast<std::int8_t>(bits);
-      case Number::int16:
-        return static_cast<std::int16_t>(bits);
-      case Number::int32:
-        return static_cast<std::int32_t>(bits);
-      case Number::float32:
-        return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-      case Number::float64:
-        return std::bit_cast<double>(bits);
-      case Number::uint8:
-      case Number::uint16:
-      case Number::uint32:
-        break;
-    }
-    return static_cast<double>(bits);
-  }
-
   const Source& source_;
   TextScanner& scanner_;
   Encoding encoding_;

@@ -1,7 +1,7 @@
-#include <bit>
 #include <cstddef>
 #include <string>
 
+#include "io/binary_numbers.h"
 #include "io/mesh_readers.h"
 #include "io/weld_points.h"
 #include "trivalent/remesh/error.h"
@@ -15,17 +15,15 @@ constexpr std::size_t count_size = 4;
 /// Normal, three corners (32-bit floats) and a 16-bit attribute.
 constexpr std::size_t triangle_size = 50;
 
-std::uint32_t little_endian_32(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int k = 3; k >= 0; --k) value = value << 8 | static_cast<unsigned char>(bytes[k]);
-  return value;
+/// The number of triangles that a binary file declares.
+std::size_t declared_triangles(std::string_view bytes) {
+  return bits_of(bytes.substr(header_size, count_size), ByteOrder::little_endian);
 }
 
 Eigen::Vector3d corner_at(const char* bytes) {
   Eigen::Vector3d p;
   for (int k = 0; k < 3; ++k) {
-    p[k] =
-        static_cast<double>(std::bit_cast<float>(little_endian_32(bytes + std::ptrdiff_t{4} * k)));
+    p[k] = number_of({bytes + std::ptrdiff_t{4} * k, 4}, float32, ByteOrder::little_endian);
   }
   return p;
 }
@@ -102,8 +100,7 @@ class TextStlReader {
 
 std::uint64_t declared_stl_size(std::string_view bytes) {
   if (bytes.size() < header_size + count_size) return 0;
-  return header_size + count_size +
-         std::uint64_t{triangle_size} * little_endian_32(bytes.data() + header_size);
+  return header_size + count_size + std::uint64_t{triangle_size} * declared_triangles(bytes);
 }
 
 PolygonSoup read_text_stl(const Source& source) { return TextStlReader(source).run(); }
@@ -114,7 +111,7 @@ PolygonSoup read_binary_stl(const Source& source) {
     fail(source, concat("too short for an STL file: ", counted(bytes.size(), "byte")));
   }
   const std::size_t body = header_size + count_size;
-  const std::size_t declared = little_endian_32(bytes.data() + header_size);
+  const std::size_t declared = declared_triangles(bytes);
   // Programs that write as they go leave the count at 0.
   const bool is_streamed = declared == 0 && bytes.size() > body;
   const std::size_t triangles = is_streamed ? (bytes.size() - body) / triangle_size : declared;

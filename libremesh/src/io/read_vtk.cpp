@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <string>
 #include <vector>
 
+#include "io/binary_numbers.h"
 #include "io/mesh_readers.h"
 #include "io/vtk_cells.h"
 #include "trivalent/remesh/error.h"
@@ -12,43 +12,23 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// Type of the numbers of an array, as the file names it.
-struct NumberType {
-  std::string_view name;
-  std::size_t size;
-  enum class Kind { signed_integer, unsigned_integer, real } kind;
-};
-
 /// "The VTK File Formats"; vtkIdType is written as int, long is what Linux makes of it.
-constexpr std::array number_types = {
-    NumberType{"char", 1, NumberType::Kind::signed_integer},
-    NumberType{"signed_char", 1, NumberType::Kind::signed_integer},
-    NumberType{"unsigned_char", 1, NumberType::Kind::unsigned_integer},
-    NumberType{"short", 2, NumberType::Kind::signed_integer},
-    NumberType{"unsigned_short", 2, NumberType::Kind::unsigned_integer},
-    NumberType{"int", 4, NumberType::Kind::signed_integer},
-    NumberType{"unsigned_int", 4, NumberType::Kind::unsigned_integer},
-    NumberType{"vtkidtype", 4, NumberType::Kind::signed_integer},
-    NumberType{"long", 8, NumberType::Kind::signed_integer},
-    NumberType{"unsigned_long", 8, NumberType::Kind::unsigned_integer},
-    NumberType{"vtktypeint64", 8, NumberType::Kind::signed_integer},
-    NumberType{"vtktypeuint64", 8, NumberType::Kind::unsigned_integer},
-    NumberType{"float", 4, NumberType::Kind::real},
-    NumberType{"double", 8, NumberType::Kind::real},
+constexpr std::array number_formats = {
+    NamedFormat{"char", int8},
+    NamedFormat{"signed_char", int8},
+    NamedFormat{"unsigned_char", uint8},
+    NamedFormat{"short", int16},
+    NamedFormat{"unsigned_short", uint16},
+    NamedFormat{"int", int32},
+    NamedFormat{"unsigned_int", uint32},
+    NamedFormat{"vtkidtype", int32},
+    NamedFormat{"long", int64},
+    NamedFormat{"unsigned_long", uint64},
+    NamedFormat{"vtktypeint64", int64},
+    NamedFormat{"vtktypeuint64", uint64},
+    NamedFormat{"float", float32},
+    NamedFormat{"double", float64},
 };
-
-/// A number of a binary file, the highest byte first.
-double number_at(std::string_view bytes, NumberType::Kind kind) {
-  std::uint64_t bits = 0;
-  for (const char byte : bytes) bits = bits << 8 | static_cast<unsigned char>(byte);
-  if (kind == NumberType::Kind::unsigned_integer) return static_cast<double>(bits);
-  if (kind == NumberType::Kind::signed_integer) {
-    const std::size_t unused = 64 - 8 * bytes.size();
-    return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-  }
-  if (bytes.size() == 8) return std::bit_cast<double>(bits);
-  return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-}
 
 /// Cells with the number of corners before those of each, as files before version 5 have them.
 struct CountedCells {
@@ -122,11 +102,12 @@ class LegacyVtkReader {
   /// Numbers that begin on the line after this one.
   std::vector<double> values(std::string_view type_name, std::uint64_t n) {
     const std::string name = lower_case(std::string(type_name.substr(0, 32)));
-    const auto* type = std::ranges::find(number_types, name, &NumberType::name);
-    if (type == number_types.end()) {
+    const auto* known = std::ranges::find(number_formats, name, &NamedFormat::name);
+    if (known == number_formats.end()) {
       scanner_.fail(concat(in_quotes(type_name), " is no type of VTK numbers"));
     }
-    const std::size_t bytes_each = is_binary_ ? type->size : 2;
+    const NumberFormat format = known->format;
+    const std::size_t bytes_each = is_binary_ ? format.size : 2;
     check_declared(source_, {"numbers", n, bytes_each}, scanner_.bytes_left() + 1);
     std::vector<double> result;
     result.reserve(n);
@@ -134,9 +115,9 @@ class LegacyVtkReader {
       for (std::uint64_t i = 0; i < n; ++i) result.push_back(scanner_.number("a number"));
       return result;
     }
-    const std::string_view bytes = scanner_.bytes_after_line(n * type->size);
-    for (std::size_t at = 0; at < bytes.size(); at += type->size) {
-      result.push_back(number_at(bytes.substr(at, type->size), type->kind));
+    const std::string_view bytes = scanner_.bytes_after_line(n * format.size);
+    for (std::size_t at = 0; at < bytes.size(); at += format.size) {
+      result.push_back(number_of(bytes.substr(at, format.size), format, ByteOrder::big_endian));
     }
     return result;
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <optional>
 
 #include "io/mesh_readers.h"
@@ -15,51 +14,11 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// How a number of a DataArray is stored.
-struct NumberType {
-  std::string_view name;
-  std::size_t size;
-  enum class Kind { signed_integer, unsigned_integer, real } kind;
-};
-
-constexpr std::array number_types = {
-    NumberType{"Int8", 1, NumberType::Kind::signed_integer},
-    NumberType{"UInt8", 1, NumberType::Kind::unsigned_integer},
-    NumberType{"Int16", 2, NumberType::Kind::signed_integer},
-    NumberType{"UInt16", 2, NumberType::Kind::unsigned_integer},
-    NumberType{"Int32", 4, NumberType::Kind::signed_integer},
-    NumberType{"UInt32", 4, NumberType::Kind::unsigned_integer},
-    NumberType{"Int64", 8, NumberType::Kind::signed_integer},
-    NumberType{"UInt64", 8, NumberType::Kind::unsigned_integer},
-    NumberType{"Float32", 4, NumberType::Kind::real},
-    NumberType{"Float64", 8, NumberType::Kind::real},
-};
-
-/// The bits of so many bytes, the lowest first or last.
-std::uint64_t bits_at(std::string_view bytes, bool is_big_endian) {
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(bytes[is_big_endian ? i : bytes.size() - 1 - i]);
-    bits = bits << 8 | byte;
-  }
-  return bits;
-}
-
-double number_at(std::string_view bytes, NumberType::Kind kind, bool is_big_endian) {
-  const std::uint64_t bits = bits_at(bytes, is_big_endian);
-  switch (kind) {
-    case NumberType::Kind::unsigned_integer:
-      return static_cast<double>(bits);
-    case NumberType::Kind::signed_integer: {
-      const std::size_t unused = 64 - 8 * bytes.size();
-      return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-    }
-    case NumberType::Kind::real:
-      break;
-  }
-  if (bytes.size() == 8) return std::bit_cast<double>(bits);
-  return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-}
+constexpr std::array number_formats = {
+    NamedFormat{"Int8", int8},      NamedFormat{"UInt8", uint8},   NamedFormat{"Int16", int16},
+    NamedFormat{"UInt16", uint16},  NamedFormat{"Int32", int32},   NamedFormat{"UInt32", uint32},
+    NamedFormat{"Int64", int64},    NamedFormat{"UInt64", uint64}, NamedFormat{"Float32", float32},
+    NamedFormat{"Float64", float64}};
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -134,7 +93,9 @@ void VtkXmlFile::parse() {
 }
 
 void VtkXmlFile::read_encoding() {
-  is_big_endian_ = root().attribute("byte_order").value() == std::string_view("BigEndian");
+  if (root().attribute("byte_order").value() == std::string_view("BigEndian")) {
+    byte_order_ = ByteOrder::big_endian;
+  }
   header_size_ = root().attribute("header_type").value() == std::string_view("UInt64") ? 8 : 4;
   const std::string_view compressor = root().attribute("compressor").value();
   if (compressor == "vtkZLibDataCompressor") {
@@ -189,7 +150,7 @@ std::string VtkXmlFile::take_base64(const pugi::xml_node& array, Stream& stream,
 }
 
 std::uint64_t VtkXmlFile::header_word(std::string_view header, std::size_t i) const {
-  return bits_at(header.substr(i * header_size_, header_size_), is_big_endian_);
+  return bits_of(header.substr(i * header_size_, header_size_), byte_order_);
 }
 
 std::string VtkXmlFile::plain_bytes(const pugi::xml_node& array, Stream stream) const {
@@ -276,21 +237,22 @@ std::vector<double> VtkXmlFile::values_of(const pugi::xml_node& array) const {
     fail_in(array, concat("its format is ", in_quotes(format), ", not ascii, binary or appended"));
   }
   const std::string_view type_name = array.attribute("type").value();
-  const auto* type = std::ranges::find(number_types, type_name, &NumberType::name);
-  if (type == number_types.end()) {
+  const auto* known = std::ranges::find(number_formats, type_name, &NamedFormat::name);
+  if (known == number_formats.end()) {
     fail_in(array, concat("its type ", in_quotes(type_name), " is not known"));
   }
+  const std::size_t size = known->format.size;
   const Stream stream = stream_of(array, format);
   const std::string bytes =
       compressor_ == Compressor::none ? plain_bytes(array, stream) : unpacked_bytes(array, stream);
-  if (bytes.size() % type->size != 0) {
-    fail_in(array, concat(bytes.size(), " bytes are no whole number of ", type->name));
+  if (bytes.size() % size != 0) {
+    fail_in(array, concat(bytes.size(), " bytes are no whole number of ", type_name));
   }
   std::vector<double> values;
-  values.reserve(bytes.size() / type->size);
-  for (std::size_t at = 0; at < bytes.size(); at += type->size) {
+  values.reserve(bytes.size() / size);
+  for (std::size_t at = 0; at < bytes.size(); at += size) {
     values.push_back(
-        number_at(std::string_view(bytes).substr(at, type->size), type->kind, is_big_endian_));
+        number_of(std::string_view(bytes).substr(at, size), known->format, byte_order_));
   }
   return values;
 }

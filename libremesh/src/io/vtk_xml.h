@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/binary_numbers.h"
 #include "io/text_scanner.h"
 
 namespace trivalent::remesh {
@@ -59,7 +60,7 @@ class VtkXmlFile {
   std::string xml_;  // the document points into it
   pugi::xml_document document_;
   Stream appended_;
-  bool is_big_endian_ = false;
+  ByteOrder byte_order_ = ByteOrder::little_endian;
   std::size_t header_size_ = 4;
   Compressor compressor_ = Compressor::none;
 };

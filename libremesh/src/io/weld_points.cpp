@@ -73,9 +73,9 @@ class Tolerances {
   [[nodiscard]] double at(int v, const Eigen::Vector3d& p) const {
     constexpr double of_edge = 1e-6;
     constexpr double of_coordinate = 4.0 * std::numeric_limits<float>::epsilon();
-    constexpr double most_of_edge = 0.1;  // keeps every triangle
+    constexpr double max_of_edge = 0.1;  // keeps every triangle
     const double edge = shortest_edge_[index(v)];
-    return std::min(most_of_edge * edge,
+    return std::min(max_of_edge * edge,
                     std::max(of_edge * edge, of_coordinate * p.cwiseAbs().maxCoeff()));
   }
 
