@@ -2,22 +2,19 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
 
 /// Smallest height / longest side of a triangle that counts as one.
-constexpr double least_aspect = 1e-3;
-
-Eigen::Vector3d area_vector(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                            const Eigen::Vector3d& c) {
-  return (b - a).cross(c - a);
-}
+constexpr double min_aspect = 1e-3;
 
 bool is_sliver(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double longest_squared =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return area_vector(a, b, c).norm() <= least_aspect * longest_squared;
+  return doubled_area_vector(a, b, c).norm() <= min_aspect * longest_squared;
 }
 
 }  // namespace
@@ -29,8 +26,8 @@ bool faces_stay_upright(const TriMesh& mesh, VertexHandle v, const Eigen::Vector
     const VertexHandle b = mesh.to_vertex_handle(h);
     const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
     if (b == except || c == except) continue;
-    const Eigen::Vector3d before = area_vector(mesh.point(v), mesh.point(b), mesh.point(c));
-    const Eigen::Vector3d after = area_vector(position, mesh.point(b), mesh.point(c));
+    const Eigen::Vector3d before = doubled_area_vector(mesh.point(v), mesh.point(b), mesh.point(c));
+    const Eigen::Vector3d after = doubled_area_vector(position, mesh.point(b), mesh.point(c));
     if (before.dot(after) < 0.0) return false;
     if (is_sliver(position, mesh.point(b), mesh.point(c)) &&
         !is_sliver(mesh.point(v), mesh.point(b), mesh.point(c))) {
@@ -47,9 +44,10 @@ bool flip_stays_upright(const TriMesh& mesh, EdgeHandle e) {
   const Eigen::Vector3d& v3 = mesh.point(mesh.to_vertex_handle(h));
   const Eigen::Vector3d& v4 = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
   const Eigen::Vector3d& v2 = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(o)));
-  const Eigen::Vector3d upward = area_vector(v1, v2, v3) + area_vector(v1, v3, v4);
+  const Eigen::Vector3d upward = doubled_area_vector(v1, v2, v3) + doubled_area_vector(v1, v3, v4);
   if (is_sliver(v1, v2, v4) || is_sliver(v2, v3, v4)) return false;
-  return area_vector(v1, v2, v4).dot(upward) > 0.0 && area_vector(v2, v3, v4).dot(upward) > 0.0;
+  return doubled_area_vector(v1, v2, v4).dot(upward) > 0.0 &&
+         doubled_area_vector(v2, v3, v4).dot(upward) > 0.0;
 }
 
 }  // namespace trivalent::remesh

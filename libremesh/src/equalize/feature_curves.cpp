@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -32,8 +34,8 @@ Creases find_creases(const TriMesh& surface, std::optional<double> feature_angle
   Creases creases(surface.n_edges(), false);
   for (const auto e : surface.edges()) {
     if (e.is_boundary()) continue;
-    const Eigen::Vector3d left = surface.calc_normal(e.h0().face());
-    const Eigen::Vector3d right = surface.calc_normal(e.h1().face());
+    const Eigen::Vector3d left = face_normal(surface, e.h0().face());
+    const Eigen::Vector3d right = face_normal(surface, e.h1().face());
     creases[static_cast<std::size_t>(e.idx())] = angle_between(left, right) > *feature_angle;
   }
   return creases;
@@ -56,7 +58,7 @@ void FeatureCurves::find_corners(const TriMesh& surface) {
   for (const auto v : surface.vertices()) {
     std::vector<Eigen::Vector3d> along;
     for (const auto h : v.outgoing_halfedges()) {
-      if (is_feature_[index(h.edge())]) along.push_back(surface.point(h.to()) - surface.point(v));
+      if (is_feature_[index(h.edge())]) along.push_back(edge_vector(surface, h));
     }
     if (along.empty()) continue;
     const bool turns = along.size() == 2 && angle_between(along[0], -along[1]) > corner_turn;

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/adjacency.h"
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -17,25 +20,19 @@ Eigen::Vector3d flattened(const Eigen::Vector3d& d, const Eigen::Vector3d& n) {
   return length > 0.0 ? Eigen::Vector3d(d.norm() / length * in_plane) : in_plane;
 }
 
-/// One-rings of all vertices, one after the other.
 struct OneRings {
-  std::vector<int> begin;
-  std::vector<int> vertices;
-  std::vector<Eigen::Vector3d> edges;  // to them, flattened into the tangent plane of the center
+  IndexLists vertices;
+  std::vector<Eigen::Vector3d> edges;  // to vertices.items, flattened into the center's plane
 };
 
 OneRings one_rings_of(const TriMesh& mesh, const std::vector<Eigen::Vector3d>& normals) {
-  OneRings rings;
-  rings.begin.reserve(mesh.n_vertices() + 1);
-  rings.vertices.reserve(2 * mesh.n_edges());
-  rings.edges.reserve(2 * mesh.n_edges());
-  rings.begin.push_back(0);
-  for (const auto v : mesh.vertices()) {
-    for (const auto neighbor : v.vertices()) {
-      rings.vertices.push_back(neighbor.idx());
-      rings.edges.push_back(flattened(mesh.point(neighbor) - mesh.point(v), normals[index(v)]));
+  OneRings rings{one_rings(mesh), {}};
+  rings.edges.reserve(rings.vertices.items.size());
+  for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
+    const VertexHandle v(static_cast<int>(i));
+    for (const int neighbor : rings.vertices[i]) {
+      rings.edges.push_back(flattened(vector_between(mesh, v, VertexHandle(neighbor)), normals[i]));
     }
-    rings.begin.push_back(static_cast<int>(rings.vertices.size()));
   }
   return rings;
 }
@@ -96,8 +93,9 @@ class RingWalk {
   void reach_from(std::size_t parent, int hops) {
     const auto v = static_cast<std::size_t>(found_[parent].vertex);
     const PlaneRotation rotation(normals_[v], normals_[static_cast<std::size_t>(found_[0].vertex)]);
-    for (int at = one_rings_.begin[v]; at < one_rings_.begin[v + 1]; ++at) {
-      const int w = one_rings_.vertices[static_cast<std::size_t>(at)];
+    const IndexLists& neighbors = one_rings_.vertices;
+    for (int at = neighbors.begin[v]; at < neighbors.begin[v + 1]; ++at) {
+      const int w = neighbors.items[static_cast<std::size_t>(at)];
       // A handful of vertices: looking through them beats marking all vertices of the mesh.
       const auto known =
           static_cast<std::size_t>(std::ranges::find(vertices_, w) - vertices_.begin());

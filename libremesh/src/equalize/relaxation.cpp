@@ -10,6 +10,7 @@
 
 #include "equalize/k_ring_laplacian.h"
 #include "equalize/tangent_laplacian.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
@@ -147,7 +148,7 @@ void add_springs_at_folds(const TriMesh& mesh, KRingSystem& system) {
   for (const auto e : mesh.edges()) {
     const int i = e.v0().idx();
     const int j = e.v1().idx();
-    const Eigen::Vector3d edge = mesh.point(e.v1()) - mesh.point(e.v0());
+    const Eigen::Vector3d edge = vector_between(mesh, e.v0(), e.v1());
     const double length = edge.norm();
     if (length == 0.0) continue;
     const double folding = std::min(1.0, 0.5 * (system.folding[i] + system.folding[j]));

@@ -1,12 +1,8 @@
 #include "trivalent/remesh/remesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <queue>
-#include <utility>
 
 #include "equalize/constrained_mesh.h"
 #include "equalize/paper_loop.h"
@@ -14,79 +10,11 @@
 #include "equalize/sliding.h"
 #include "equalize/stellar.h"
 #include "equalize/valence.h"
-#include "trivalent/remesh/error.h"
-#include "trivalent/remesh/mesh_components.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
 namespace {
-
-constexpr double area_of_equilateral = 0.25 * std::numbers::sqrt3;  // triangle of edge 1
-
-void check_options(const TriMesh& mesh, const RemeshOptions& options) {
-  if (mesh.n_faces() == 0) throw InvalidMesh("remesh: the mesh has no faces");
-  for (const auto v : mesh.vertices()) {
-    if (mesh.is_isolated(v)) {
-      throw InvalidMesh(concat("remesh: vertex ", v.idx(), " belongs to no face; remove it"));
-    }
-  }
-  const double m = options.target_edge_length;
-  if (!(m > 0.0) || !std::isfinite(m)) {
-    throw InvalidOption(
-        concat("remesh: target edge length is ", m, "; it must be a positive number"));
-  }
-  if (options.iterations < 1 || options.iterations > 1000) {
-    throw InvalidOption(
-        concat("remesh: ", options.iterations, " iterations; 1 to 1000 are possible"));
-  }
-  if (options.rings < 1 || options.rings > 8) {
-    throw InvalidOption(concat("remesh: ", options.rings, " rings; 1 to 8 are possible"));
-  }
-  if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
-    throw InvalidOption(
-        concat("remesh: tolerance σ/m is ", options.tolerance, "; it must lie between 0 and 1"));
-  }
-  if (options.feature_angle && !(*options.feature_angle > 0.0)) {
-    throw InvalidOption(
-        concat("remesh: feature angle is ", *options.feature_angle, " rad; it must be positive"));
-  }
-}
-
-/// More would not fit into the memory of most machines (about 1 kB per face).
-constexpr double most_faces = 2e7;
-
-void check_that_target_fits(const TriMesh& mesh, double target) {
-  double area = 0.0;
-  const MeshComponents components = find_components(mesh);
-  for (std::size_t i = 0; i < components.parts.size(); ++i) {
-    const MeshComponent& component = components.parts[i];
-    area += component.area;
-    if (!(component.area > 0.0) || !std::isfinite(component.area)) {
-      throw InvalidMesh(concat("remesh: a part of the mesh has the area ", component.area,
-                               "; remove flat parts, or scale the mesh to ordinary numbers"));
-    }
-    const double largest = longest_edge_for(component.area, component.is_closed());
-    if (target > largest) {
-      throw InvalidOption(concat("remesh: a target edge length of ", target, " is too large for ",
-                                 component.is_closed() ? "a closed" : "an open", " part of area ",
-                                 component.area, "; it can hold at most ", largest));
-    }
-    const double length = component.box.longest_side();
-    const double largest_along = longest_edge_along(component.area, length);
-    if (target > largest_along) {
-      const auto first_face = std::ranges::find(components.of_face, static_cast<int>(i));
-      throw InvalidOption(
-          concat("remesh: the part with face ", first_face - components.of_face.begin(), " is ",
-                 length, " long and too narrow for edges of ", target,
-                 "; remove vertices that lie far off, or use edges of at most ", largest_along));
-    }
-  }
-  const double smallest = std::sqrt(area / most_faces / area_of_equilateral);
-  if (target < smallest) {
-    throw InvalidOption(concat("remesh: a target edge length of ", target, " on an area of ", area,
-                               " makes more than ", most_faces, " faces; use at least ", smallest));
-  }
-}
 
 /// How m_i approaches m [Pecanha2013, Algorithm 1], and what the stellar operations of iteration i
 /// change.
@@ -121,12 +49,13 @@ StellarLimits limits_of_iteration(const TriMesh& mesh, const RemeshOptions& opti
 bool consists_of_needles(const TriMesh& mesh, double target) {
   constexpr double max_faces = 50.0;  // times those of the net
   double pieces = 0.0;
-  for (const auto e : mesh.edges()) pieces += mesh.calc_edge_length(e) / target;
-  return pieces * target * target > max_faces * surface_area(mesh) / area_of_equilateral;
+  for (const auto e : mesh.edges()) pieces += edge_length(mesh, e) / target;
+  return pieces * target * target > max_faces * surface_area(mesh) / unit_triangle_area;
 }
 
 /// Joins needles side by side, by collapses of their short edges.
-void join_needles(ConstrainedMesh& constrained, const StellarLimits& limits) {
+void join_needles(ConstrainedMesh& constrained, const RemeshOptions& options) {
+  const StellarLimits limits = limits_of_iteration(constrained.mesh, options, 1);
   constexpr int max_rounds = 50;  // each about halves their number
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const StellarLimits collapses_only = {.target = limits.target,
@@ -141,9 +70,10 @@ void join_needles(ConstrainedMesh& constrained, const StellarLimits& limits) {
 
 /// One round of stellar operations and flips; more of them while the mean edge length is far from
 /// the target and comes nearer, so that a few iterations reach a target far from the input.
-void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
-  constexpr double far = 0.33;             // of the target
-  constexpr double least_progress = 0.02;  // of the target, per round
+void change_edges(ConstrainedMesh& constrained, const RemeshOptions& options, int iteration) {
+  const StellarLimits limits = limits_of_iteration(constrained.mesh, options, iteration);
+  constexpr double far = 0.33;           // of the target
+  constexpr double min_progress = 0.02;  // of the target, per round
   double distance = std::numeric_limits<double>::max();
   double before = distance;
   do {
@@ -151,32 +81,7 @@ void change_edges(ConstrainedMesh& constrained, const StellarLimits& limits) {
     correct_valences(constrained);
     before = distance;
     distance = std::abs(mean_edge_length(constrained.mesh) - limits.target);
-  } while (distance > far * limits.target && distance < before - least_progress * limits.target);
-}
-
-/// Whether faces around one of its ends meet at a crease.
-bool ends_at_crease(const TriMesh& mesh, EdgeHandle e) {
-  constexpr double sharp = 40.0 * std::numbers::pi / 180.0;
-  const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-  return std::ranges::any_of(
-      std::array{mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)}, [&](VertexHandle v) {
-        return std::ranges::any_of(mesh.ve_range(v), [&](EdgeHandle other) {
-          return !mesh.is_boundary(other) && std::abs(mesh.calc_dihedral_angle(other)) > sharp;
-        });
-      });
-}
-
-/// Whether both faces of an edge are needles along it: too narrow to hold an edge of the net, so
-/// that their normals are right as they are, while dividing them makes many faces.
-bool lies_between_needles(const TriMesh& mesh, EdgeHandle e, double target) {
-  constexpr double min_width = 0.05;  // in target lengths
-  const double length = mesh.calc_edge_length(e);
-  for (const HalfedgeHandle h : {mesh.halfedge_handle(e, 0), mesh.halfedge_handle(e, 1)}) {
-    if (mesh.is_boundary(h)) continue;
-    const double width = 2.0 * mesh.calc_face_area(mesh.face_handle(h)) / length;
-    if (width > min_width * target) return false;
-  }
-  return true;
+  } while (distance > far * limits.target && distance < before - min_progress * limits.target);
 }
 
 /// Up to here everything stays in the processor's cache, whatever the order.
@@ -188,74 +93,10 @@ bool differs_by_a_tenth(std::size_t vertices, std::size_t before) {
 
 }  // namespace
 
-RemeshProgress measure_progress(const TriMesh& mesh) {
-  RemeshProgress progress;
-  // Counted, since a mesh may hold deleted elements while it is changed.
-  double count = 0.0;
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const auto e : mesh.edges()) {
-    const double length = mesh.calc_edge_length(e);
-    count += 1.0;
-    sum += length;
-    squares += length * length;
-  }
-  progress.mean_edge_length = sum / count;
-  const double variance = squares / count - progress.mean_edge_length * progress.mean_edge_length;
-  progress.relative_spread = std::sqrt(std::max(variance, 0.0)) / progress.mean_edge_length;
-  int interior = 0;
-  int regular = 0;
-  for (const auto v : mesh.vertices()) {
-    ++progress.vertices;
-    if (v.is_boundary()) continue;
-    ++interior;
-    if (v.valence() == 6) ++regular;
-  }
-  progress.regular_fraction = interior == 0 ? 0.0 : static_cast<double>(regular) / interior;
-  return progress;
-}
-
-void check_remeshable(const TriMesh& mesh, const RemeshOptions& options) {
-  check_options(mesh, options);
-  check_that_target_fits(mesh, options.target_edge_length);
-}
-
-TriMesh with_edges_divided(const TriMesh& surface, double target) {
-  constexpr double longest = 3.0;         // in target lengths
-  constexpr double most_of_net = 2.0;     // faces, times those of the net
-  constexpr double most_of_input = 16.0;  // faces, times those of the surface
-  TriMesh divided = surface;
-  const double most_faces =
-      most_of_input * static_cast<double>(surface.n_faces()) +
-      most_of_net * surface_area(surface) / (area_of_equilateral * target * target);
-  // The longest first; of equal ones the one with the lower index.
-  std::priority_queue<std::pair<double, int>> queue;
-  const auto add = [&](EdgeHandle e) {
-    const double length = divided.calc_edge_length(e);
-    if (length > longest * target && ends_at_crease(divided, e) &&
-        !lies_between_needles(divided, e, target)) {
-      queue.emplace(length, -e.idx());
-    }
-  };
-  for (const auto e : divided.edges()) add(e);
-  while (!queue.empty() && static_cast<double>(divided.n_faces()) < most_faces) {
-    const auto [length, minus_index] = queue.top();
-    queue.pop();
-    const EdgeHandle e(-minus_index);
-    if (divided.calc_edge_length(e) != length) continue;  // halved meanwhile
-    const HalfedgeHandle h = divided.halfedge_handle(e, 0);
-    const Eigen::Vector3d middle = 0.5 * (divided.point(divided.from_vertex_handle(h)) +
-                                          divided.point(divided.to_vertex_handle(h)));
-    const VertexHandle v = divided.split(e, middle);
-    for (const auto spoke : divided.ve_range(v)) add(spoke);
-  }
-  return divided;
-}
-
 void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
                      const std::function<void(const RemeshProgress&)>& after_iteration) {
   if (consists_of_needles(constrained.mesh, options.target_edge_length)) {
-    join_needles(constrained, limits_of_iteration(constrained.mesh, options, 1));
+    join_needles(constrained, options);
   }
   std::size_t numbered = 0;  // vertices when they were last numbered
   for (int i = 1; i <= options.iterations; ++i) {
@@ -265,7 +106,7 @@ void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
       constrained.renumber();
       numbered = vertices;
     }
-    change_edges(constrained, limits_of_iteration(constrained.mesh, options, i));
+    change_edges(constrained, options, i);
     slide_vertices(constrained,
                    relaxed_positions(constrained, {options.rings, options.restriction}));
 
@@ -283,10 +124,11 @@ RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
   ConstrainedMesh constrained(result.mesh, find_creases(result.mesh, options.feature_angle));
   remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
     result.iterations = progress.iteration;
-    result.relative_spread = progress.relative_spread;
-    result.regular_fraction = progress.regular_fraction;
     if (options.on_progress) options.on_progress(progress);
   });
+  const RemeshProgress state = measure_progress(result.mesh);
+  result.relative_spread = state.relative_spread;
+  result.regular_fraction = state.regular_fraction;
   return result;
 }
 

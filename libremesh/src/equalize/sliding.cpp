@@ -6,16 +6,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
 
 Eigen::Vector3d area_vector(const std::array<int, 3>& face,
                             const std::vector<Eigen::Vector3d>& at) {
-  const Eigen::Vector3d& a = at[static_cast<std::size_t>(face[0])];
-  const Eigen::Vector3d& b = at[static_cast<std::size_t>(face[1])];
-  const Eigen::Vector3d& c = at[static_cast<std::size_t>(face[2])];
-  return (b - a).cross(c - a);
+  return doubled_area_vector(at[static_cast<std::size_t>(face[0])],
+                             at[static_cast<std::size_t>(face[1])],
+                             at[static_cast<std::size_t>(face[2])]);
 }
 
 /// Where all vertices are, and what the surface's normals are there; no normals if they do not
@@ -27,11 +28,11 @@ struct Placement {
 
 /// Whether a face looks into the surface; across a tip it may look a little inwards.
 bool looks_inwards(const std::array<int, 3>& face, const Placement& at) {
-  constexpr double least_cosine = -0.3;
+  constexpr double min_cosine = -0.3;
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();
   for (const int v : face) outward += at.normals[static_cast<std::size_t>(v)];
   const Eigen::Vector3d area = area_vector(face, at.positions);
-  return area.dot(outward) < least_cosine * area.norm() * outward.norm();
+  return area.dot(outward) < min_cosine * area.norm() * outward.norm();
 }
 
 /// Vertices of faces that look the other way at `after` than at `before`, or no longer outwards.
@@ -107,7 +108,8 @@ void straddle_surface(ConstrainedMesh& constrained) {
   std::vector<Eigen::Vector3d> depths(faces.size());
   tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for (const int v : faces[f]) centroid += mesh.point(VertexHandle(v)) / 3.0;
+    for (const auto& corner : corners_of(mesh, FaceHandle(static_cast<int>(f))))
+      centroid += corner / 3.0;
     const int near = constrained.anchor(VertexHandle(faces[f][0])).face;
     depths[f] = constrained.surface().nearest(centroid, near).position - centroid;
   });

@@ -55,6 +55,10 @@ inline constexpr double unit_triangle_area = 0.25 * std::numbers::sqrt3;
   return corners;
 }
 
+[[nodiscard]] inline Eigen::Vector3d face_centroid(const TriMesh& mesh, FaceHandle f) {
+  return mesh.calc_face_centroid(f);
+}
+
 [[nodiscard]] inline double face_area(const TriMesh& mesh, FaceHandle f) {
   return mesh.calc_face_area(f);
 }

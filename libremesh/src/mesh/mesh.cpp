@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/edge_table.h"
+#include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -110,13 +111,13 @@ std::vector<std::array<int, 3>> triangles_of(const TriMesh& mesh) {
 double mean_edge_length(const TriMesh& mesh) {
   if (mesh.n_edges() == 0) return 0.0;
   double sum = 0.0;
-  for (const auto e : mesh.edges()) sum += mesh.calc_edge_length(e);
+  for (const auto e : mesh.edges()) sum += edge_length(mesh, e);
   return sum / static_cast<double>(mesh.n_edges());
 }
 
 double surface_area(const TriMesh& mesh) {
   double area = 0.0;
-  for (const auto f : mesh.faces()) area += mesh.calc_face_area(f);
+  for (const auto f : mesh.faces()) area += face_area(mesh, f);
   return area;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/adjacency.h"
+#include "mesh/geometry.h"
 #include "mesh/self_intersections.h"
 
 namespace trivalent::remesh {
@@ -18,7 +20,7 @@ Spread spread_of_edges(const TriMesh& mesh) {
   lengths.reserve(mesh.n_edges());
   double sum = 0.0;
   for (const auto e : mesh.edges()) {
-    lengths.push_back(mesh.calc_edge_length(e));
+    lengths.push_back(edge_length(mesh, e));
     sum += lengths.back();
   }
   const auto n = static_cast<double>(lengths.size());
@@ -40,40 +42,6 @@ void count_elements(const TriMesh& mesh, MeshQuality& quality) {
   quality.euler_characteristic = quality.vertices - quality.edges + quality.faces;
 }
 
-int count_components(const TriMesh& mesh) {
-  std::vector<char> seen(mesh.n_faces(), 0);
-  std::vector<FaceHandle> to_visit;
-  int components = 0;
-  for (const auto start : mesh.faces()) {
-    if (seen[static_cast<std::size_t>(start.idx())] != 0) continue;
-    ++components;
-    seen[static_cast<std::size_t>(start.idx())] = 1;
-    to_visit.push_back(start);
-    while (!to_visit.empty()) {
-      const FaceHandle face = to_visit.back();
-      to_visit.pop_back();
-      for (const auto next : mesh.ff_range(face)) {
-        if (std::exchange(seen[static_cast<std::size_t>(next.idx())], 1) == 0)
-          to_visit.push_back(next);
-      }
-    }
-  }
-  return components;
-}
-
-int count_boundary_loops(const TriMesh& mesh) {
-  std::vector<char> seen(mesh.n_halfedges(), 0);
-  int loops = 0;
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())] != 0) continue;
-    ++loops;
-    HalfedgeHandle h = start;
-    while (std::exchange(seen[static_cast<std::size_t>(h.idx())], 1) == 0)
-      h = mesh.next_halfedge_handle(h);
-  }
-  return loops;
-}
-
 void count_valences(const TriMesh& mesh, MeshQuality& quality) {
   int interior = 0;
   for (const auto v : mesh.vertices()) {
@@ -89,13 +57,11 @@ void count_valences(const TriMesh& mesh, MeshQuality& quality) {
 void measure_angles(const TriMesh& mesh, MeshQuality& quality) {
   if (mesh.n_faces() == 0) return;
   quality.smallest_angle = std::numbers::pi;
-  for (const auto& triangle : triangles_of(mesh)) {
+  for (const auto f : mesh.faces()) {
+    const std::array<Eigen::Vector3d, 3> corners = corners_of(mesh, f);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto at = [&](std::size_t corner) {
-        return mesh.point(VertexHandle(triangle[corner % 3]));
-      };
-      const Eigen::Vector3d a = at(k + 1) - at(k);
-      const Eigen::Vector3d b = at(k + 2) - at(k);
+      const Eigen::Vector3d a = corners[(k + 1) % 3] - corners[k];
+      const Eigen::Vector3d b = corners[(k + 2) % 3] - corners[k];
       // Unlike the arc cosine, exact for the smallest angles too.
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
       quality.smallest_angle = std::min(quality.smallest_angle, angle);
@@ -109,8 +75,8 @@ void measure_angles(const TriMesh& mesh, MeshQuality& quality) {
 MeshQuality measure_quality(const TriMesh& mesh) {
   MeshQuality quality;
   count_elements(mesh, quality);
-  quality.components = count_components(mesh);
-  quality.boundary_loops = count_boundary_loops(mesh);
+  quality.components = static_cast<int>(faces_by_component(mesh).ends.size());
+  quality.boundary_loops = static_cast<int>(boundary_loops(mesh).size());
   quality.edge_length = spread_of_edges(mesh);
   count_valences(mesh, quality);
   measure_angles(mesh, quality);

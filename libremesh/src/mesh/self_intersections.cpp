@@ -25,7 +25,7 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 /// Candidates are tested by many threads, so many at a time.
 constexpr std::size_t batch_size = 1 << 20;
 
-constexpr auto most_crossings = static_cast<std::size_t>(most_crossing_pairs);
+constexpr auto max_crossings = static_cast<std::size_t>(most_crossing_pairs);
 
 /// Thrown out of CGAL's search, which has no other end than the last pair.
 struct EnoughFound {};
@@ -107,20 +107,20 @@ class IntersectionTest {
 };
 
 /// Keeps the first few; which they are does not depend on the order in which they were found.
-void keep_first(std::vector<FacePair>& pairs, std::size_t most_places) {
+void keep_first(std::vector<FacePair>& pairs, std::size_t max_places) {
   std::sort(pairs.begin(), pairs.end());
-  pairs.resize(std::min(pairs.size(), most_places));
+  pairs.resize(std::min(pairs.size(), max_places));
 }
 
-CrossingFaces merged(CrossingFaces found, const CrossingFaces& more, std::size_t most_places) {
+CrossingFaces merged(CrossingFaces found, const CrossingFaces& more, std::size_t max_places) {
   found.count += more.count;
   found.first.insert(found.first.end(), more.first.begin(), more.first.end());
-  keep_first(found.first, most_places);
+  keep_first(found.first, max_places);
   return found;
 }
 
 CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& candidates,
-                   std::size_t most_places) {
+                   std::size_t max_places) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, candidates.size()), CrossingFaces(),
       [&](const tbb::blocked_range<std::size_t>& range, CrossingFaces found) {
@@ -129,13 +129,11 @@ CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& ca
           ++found.count;
           found.first.push_back(candidates[i]);
           // Now and then, for sorting after every pair would take quadratic time.
-          if (found.first.size() > 2 * most_places) keep_first(found.first, most_places);
+          if (found.first.size() > 2 * max_places) keep_first(found.first, max_places);
         }
         return found;
       },
-      [&](CrossingFaces a, const CrossingFaces& b) {
-        return merged(std::move(a), b, most_places);
-      });
+      [&](CrossingFaces a, const CrossingFaces& b) { return merged(std::move(a), b, max_places); });
 }
 
 /// Boxes that reach into a slab of space; those that reach into several are in each.
@@ -157,11 +155,11 @@ int longest_axis(const std::vector<Box>& boxes) {
 /// cache, and to their thread. A surface of n faces is about √n wide, so that few reach into
 /// several; if many do, all are put into one.
 std::vector<Slab> slabs_of(std::vector<Box> boxes, int axis) {
-  constexpr std::size_t fewest_boxes = 1 << 13;
-  constexpr double fewest_across = 16.0;  // boxes across a slab
-  const auto count = std::min(
-      boxes.size() / fewest_boxes,
-      static_cast<std::size_t>(std::sqrt(static_cast<double>(boxes.size())) / fewest_across));
+  constexpr std::size_t min_boxes = 1 << 13;
+  constexpr double min_across = 16.0;  // boxes across a slab
+  const auto count =
+      std::min(boxes.size() / min_boxes,
+               static_cast<std::size_t>(std::sqrt(static_cast<double>(boxes.size())) / min_across));
   std::vector<Slab> slabs(std::max<std::size_t>(count, 1));
   std::vector<double> lows;
   lows.reserve(boxes.size());
@@ -185,13 +183,13 @@ std::vector<Slab> slabs_of(std::vector<Box> boxes, int axis) {
 
 /// Crossings of boxes in a slab, at most most_crossing_pairs. A pair counts where the later of the
 /// two begins, so that it counts once.
-CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::size_t most_places) {
+CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::size_t max_places) {
   std::vector<FacePair> candidates;
   CrossingFaces found;
   const auto test_batch = [&] {
-    found = merged(std::move(found), test(meet, candidates, most_places), most_places);
+    found = merged(std::move(found), test(meet, candidates, max_places), max_places);
     candidates.clear();
-    if (found.count >= most_crossings) throw EnoughFound();
+    if (found.count >= max_crossings) throw EnoughFound();
   };
   try {
     CGAL::box_self_intersection_d(
@@ -203,7 +201,7 @@ CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::siz
         });
     test_batch();
   } catch (const EnoughFound&) {
-    found.count = most_crossings;
+    found.count = max_crossings;
   }
   return found;
 }
@@ -212,22 +210,22 @@ CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::siz
 
 CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
                                   std::span<const std::array<int, 3>> triangles,
-                                  std::size_t most_places) {
+                                  std::size_t max_places) {
   constexpr std::size_t at_a_time = 16;  // slabs, whatever the number of threads
   const IntersectionTest meet(points, triangles);
   std::vector<Box> boxes = meet.boxes();
   const int axis = longest_axis(boxes);
   std::vector<Slab> slabs = slabs_of(std::move(boxes), axis);
   CrossingFaces found;
-  for (std::size_t begin = 0; begin < slabs.size() && found.count < most_crossings;
+  for (std::size_t begin = 0; begin < slabs.size() && found.count < max_crossings;
        begin += at_a_time) {
     std::vector<CrossingFaces> found_in(std::min(at_a_time, slabs.size() - begin));
     tbb::parallel_for(std::size_t{0}, found_in.size(), [&](std::size_t i) {
-      found_in[i] = search(std::move(slabs[begin + i]), axis, meet, most_places);
+      found_in[i] = search(std::move(slabs[begin + i]), axis, meet, max_places);
     });
-    for (const CrossingFaces& more : found_in) found = merged(std::move(found), more, most_places);
+    for (const CrossingFaces& more : found_in) found = merged(std::move(found), more, max_places);
   }
-  found.count = std::min(found.count, most_crossings);
+  found.count = std::min(found.count, max_crossings);
   return found;
 }
 

@@ -17,13 +17,13 @@ struct CrossingFaces {
 
 /// By exact predicates. Faces without an area meet nothing.
 ///
-/// @param most_places  Length of the list of pairs; up to most_crossing_pairs are counted, and the
+/// @param max_places  Length of the list of pairs; up to most_crossing_pairs are counted, and the
 ///                     list is of those counted.
 ///
 /// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces; less where more cross than
 /// are counted.
 [[nodiscard]] CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
                                                 std::span<const std::array<int, 3>> triangles,
-                                                std::size_t most_places = 5);
+                                                std::size_t max_places = 5);
 
 }  // namespace trivalent::remesh

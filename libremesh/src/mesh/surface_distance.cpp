@@ -1,7 +1,3 @@
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -9,6 +5,8 @@
 #include <random>
 #include <vector>
 
+#include "mesh/geometry.h"
+#include "mesh/surface_projector.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_quality.h"
 
@@ -16,41 +14,13 @@ namespace trivalent::remesh {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-
-/// Distances of points to a mesh.
-class DistanceTo {
- public:
-  explicit DistanceTo(const TriMesh& mesh) {
-    for (const auto& [a, b, c] : triangles_of(mesh)) {
-      const auto at = [&](int v) {
-        const Eigen::Vector3d& p = mesh.point(VertexHandle(v));
-        return Kernel::Point_3(p.x(), p.y(), p.z());
-      };
-      const Kernel::Triangle_3 triangle(at(a), at(b), at(c));
-      // Its edges belong to other faces, and closest points need an area.
-      if (triangle.squared_area() > 0.0) triangles_.push_back(triangle);
-    }
-    tree_.rebuild(triangles_.begin(), triangles_.end());
-    tree_.accelerate_distance_queries();
-  }
-
-  [[nodiscard]] std::vector<double> operator()(std::span<const Eigen::Vector3d> points) const {
-    std::vector<double> distances(points.size());
-    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
-      const Kernel::Point_3 p(points[i].x(), points[i].y(), points[i].z());
-      distances[i] = std::sqrt(tree_.squared_distance(p));
-    });
-    return distances;
-  }
-
- private:
-  using Primitive =
-      CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-
-  std::vector<Kernel::Triangle_3> triangles_;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
-};
+std::vector<double> distances_to(const SurfaceProjector& surface,
+                                 std::span<const Eigen::Vector3d> points) {
+  std::vector<double> distances(points.size());
+  tbb::parallel_for(std::size_t{0}, points.size(),
+                    [&](std::size_t i) { distances[i] = surface.distance(points[i]); });
+  return distances;
+}
 
 /// Uniform in [0, 1), the same on every platform.
 double uniform(std::mt19937_64& generator) {
@@ -65,17 +35,14 @@ std::vector<Eigen::Vector3d> sample_by_area(const TriMesh& mesh, int count) {
   samples.reserve(static_cast<std::size_t>(count));
   auto face = mesh.faces_begin();
   double area_before = 0.0;
-  double face_area = mesh.calc_face_area(*face);
+  double area_here = face_area(mesh, *face);
   for (int i = 0; i < count; ++i) {
     const double wanted = (i + uniform(generator)) * area / count;
-    while (area_before + face_area < wanted && std::next(face) != mesh.faces_end()) {
-      area_before += face_area;
-      face_area = mesh.calc_face_area(*++face);
+    while (area_before + area_here < wanted && std::next(face) != mesh.faces_end()) {
+      area_before += area_here;
+      area_here = face_area(mesh, *++face);
     }
-    auto corner = mesh.cfv_begin(*face);
-    const Eigen::Vector3d a = mesh.point(*corner);
-    const Eigen::Vector3d b = mesh.point(*++corner);
-    const Eigen::Vector3d c = mesh.point(*++corner);
+    const auto [a, b, c] = corners_of(mesh, *face);
     // The square root makes up for the triangle's growing width.
     const double s = std::sqrt(uniform(generator));
     const double t = uniform(generator);
@@ -93,18 +60,19 @@ std::vector<Eigen::Vector3d> vertices_with_faces(const TriMesh& mesh) {
   return points;
 }
 
-SurfaceDistance distance_between(const TriMesh& from, const DistanceTo& distance_to, int samples) {
+SurfaceDistance distance_between(const TriMesh& from, const TriMesh& to, int samples) {
+  const SurfaceProjector surface(to);
   SurfaceDistance result;
   double sum = 0.0;
   double sum_of_squares = 0.0;
-  for (const double d : distance_to(sample_by_area(from, samples))) {
+  for (const double d : distances_to(surface, sample_by_area(from, samples))) {
     sum += d;
     sum_of_squares += d * d;
     result.max = std::max(result.max, d);
   }
   result.mean = sum / samples;
   result.root_mean_square = std::sqrt(sum_of_squares / samples);
-  for (const double d : distance_to(vertices_with_faces(from)))
+  for (const double d : distances_to(surface, vertices_with_faces(from)))
     result.max = std::max(result.max, d);
   return result;
 }
@@ -125,8 +93,8 @@ TwoSidedDistance measure_distance(const TriMesh& mesh, const TriMesh& original, 
     throw InvalidMesh(concat("measure_distance: the ", surface == &mesh ? "mesh" : "original",
                              " has no face with an area"));
   }
-  return {distance_between(mesh, DistanceTo(original), samples),
-          distance_between(original, DistanceTo(mesh), samples), bounding_box(original).diagonal()};
+  return {distance_between(mesh, original, samples), distance_between(original, mesh, samples),
+          bounding_box(original).diagonal()};
 }
 
 std::vector<double> distances_to_surface(std::span<const Eigen::Vector3d> points,
@@ -134,7 +102,7 @@ std::vector<double> distances_to_surface(std::span<const Eigen::Vector3d> points
   if (!(surface_area(surface) > 0.0)) {
     throw InvalidMesh("distances_to_surface: the surface has no face with an area");
   }
-  return DistanceTo(surface)(points);
+  return distances_to(SurfaceProjector(surface), points);
 }
 
 }  // namespace trivalent::remesh

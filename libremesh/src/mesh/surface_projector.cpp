@@ -13,6 +13,8 @@
 #include <span>
 #include <utility>
 
+#include "mesh/adjacency.h"
+#include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -71,10 +73,10 @@ class SplitTriangles {
 std::vector<Eigen::Vector3d> angle_weighted_normals(const TriMesh& surface) {
   std::vector<Eigen::Vector3d> normals(surface.n_vertices(), Eigen::Vector3d::Zero());
   for (const auto f : surface.faces()) {
-    const Eigen::Vector3d n = surface.calc_normal(f);
+    const Eigen::Vector3d n = face_normal(surface, f);
     if (!n.allFinite()) continue;
     for (const auto h : surface.fh_range(f)) {
-      const double angle = surface.calc_sector_angle(h);
+      const double angle = corner_angle(surface, h);
       if (std::isfinite(angle)) normals[static_cast<std::size_t>(h.to().idx())] += angle * n;
     }
   }
@@ -86,7 +88,7 @@ std::vector<Eigen::Vector3d> angle_weighted_normals(const TriMesh& surface) {
 struct Foot {
   Eigen::Vector3d position;
   double squared_distance;
-  /// Which corners have a part in it: bits 0 to 2.
+  /// Corners whose barycentric coordinate is not 0: bits 0 to 2.
   unsigned corners;
 };
 
@@ -130,21 +132,14 @@ struct SurfaceProjector::Impl {
   std::vector<int> triangle_of;               // triangle, per face of the surface
   std::vector<std::array<int, 3>> corners;    // vertices, per face of the surface
   std::vector<Eigen::Vector3d> vertex_normals;
-  std::vector<int> fan_begin;  // of each vertex in `fans`, and the end of the last
-  std::vector<int> fans;       // triangles around every vertex, one vertex after the other
+  IndexLists fans;  // triangles at every vertex
   Tree tree;
 
   void gather_fans(std::size_t n_vertices) {
-    fan_begin.assign(n_vertices + 1, 0);
-    for (const int face : face_of) {
-      for (const int v : corners[at(face)]) ++fan_begin[at(v) + 1];
-    }
-    std::partial_sum(fan_begin.begin(), fan_begin.end(), fan_begin.begin());
-    fans.resize(3 * face_of.size());
-    std::vector<int> end = fan_begin;
-    for (std::size_t t = 0; t < face_of.size(); ++t) {
-      for (const int v : corners[at(face_of[t])]) fans[at(end[at(v)]++)] = static_cast<int>(t);
-    }
+    std::vector<std::array<int, 3>> with_area;
+    with_area.reserve(face_of.size());
+    for (const int face : face_of) with_area.push_back(corners[at(face)]);
+    fans = triangles_at_vertices(with_area, n_vertices);
   }
 
   [[nodiscard]] Foot foot(int triangle, const Eigen::Vector3d& p) const {
@@ -158,8 +153,7 @@ struct SurfaceProjector::Impl {
     std::pair<int, Foot> best = {triangle, foot};
     const std::array<int, 3>& own = corners[at(face_of[at(triangle)])];
     const auto v = at(own[foot.corners & 1U ? 0 : foot.corners & 2U ? 1 : 2]);
-    for (int i = fan_begin[v]; i < fan_begin[v + 1]; ++i) {
-      const int other = fans[at(i)];
+    for (const int other : fans[v]) {
       const std::array<int, 3>& others = corners[at(face_of[at(other)])];
       bool shares = other != triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -175,7 +169,7 @@ struct SurfaceProjector::Impl {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   [[nodiscard]] Eigen::Vector3d vertex_position(VertexHandle v) const {
-    const int t = fans[at(fan_begin[index(v)])];
+    const int t = fans[index(v)].front();
     const auto& around = corners[at(face_of[at(t)])];
     const auto k = std::ranges::find(around, v.idx()) - around.begin();
     return to_eigen(triangles[at(t)][static_cast<int>(k)]);
@@ -219,6 +213,10 @@ SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p) const {
   return impl_->answer(impl_->tree.closest_point_and_primitive(to_cgal(p)));
 }
 
+double SurfaceProjector::distance(const Eigen::Vector3d& p) const {
+  return std::sqrt(impl_->tree.squared_distance(to_cgal(p)));
+}
+
 SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const {
   const auto triangle =
       impl_->triangles.cbegin() + impl_->triangle_of[static_cast<std::size_t>(face)];
@@ -234,11 +232,9 @@ const Eigen::Vector3d& SurfaceProjector::normal(VertexHandle v) const {
 
 double SurfaceProjector::thickness(VertexHandle v) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto begin = impl_->fan_begin[index(v)];
-  const auto end = impl_->fan_begin[index(v) + 1];
+  const std::span<const int> around = impl_->fans[index(v)];
   const Eigen::Vector3d& normal = impl_->vertex_normals[index(v)];
-  if (begin == end || !normal.allFinite()) return infinity;
-  const auto around = std::span(impl_->fans).subspan(Impl::at(begin), Impl::at(end - begin));
+  if (around.empty() || !normal.allFinite()) return infinity;
   const Eigen::Vector3d p = impl_->vertex_position(v);
   // Not quite straight: on symmetric shapes rays would run along edges, and slip through.
   const Eigen::Vector3d inwards = -normal + 1e-5 * Eigen::Vector3d(0.61, -0.35, 0.71);
@@ -249,7 +245,7 @@ double SurfaceProjector::thickness(VertexHandle v) const {
   if (!hit) return infinity;
   const Kernel::Triangle_3& there = *hit->second;
   const Eigen::Vector3d a = to_eigen(there[0]);
-  const Eigen::Vector3d looks = (to_eigen(there[1]) - a).cross(to_eigen(there[2]) - a);
+  const Eigen::Vector3d looks = doubled_area_vector(a, to_eigen(there[1]), to_eigen(there[2]));
   const auto* point = boost::get<Kernel::Point_3>(&hit->first);
   if (point == nullptr || looks.dot(normal) >= 0.0) return infinity;
   return (to_eigen(*point) - p).norm();
@@ -275,15 +271,13 @@ Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
   const Eigen::Vector3d a = to_eigen(t[0]);
   const Eigen::Vector3d b = to_eigen(t[1]);
   const Eigen::Vector3d c = to_eigen(t[2]);
-  const Eigen::Vector3d face_normal = (b - a).cross(c - a);
-  const double area = face_normal.squaredNorm();
-  const double at_a = (b - p.position).cross(c - p.position).dot(face_normal) / area;
-  const double at_b = (c - p.position).cross(a - p.position).dot(face_normal) / area;
+  const Eigen::Vector3d face_normal = doubled_area_vector(a, b, c);
+  const Eigen::Vector3d share = barycentric({a, b, c}, p.position);
   const auto vertex_normal = [&](std::size_t k) {
     return impl_->vertex_normals[static_cast<std::size_t>(impl_->corners[face][k])];
   };
   const Eigen::Vector3d n =
-      at_a * vertex_normal(0) + at_b * vertex_normal(1) + (1.0 - at_a - at_b) * vertex_normal(2);
+      share[0] * vertex_normal(0) + share[1] * vertex_normal(1) + share[2] * vertex_normal(2);
   // Across a sharp fold vertex normals may cancel or point away; the face itself is then right.
   if (n.dot(face_normal) <= 0.1 * n.norm() * face_normal.norm()) return face_normal.normalized();
   return n.normalized();

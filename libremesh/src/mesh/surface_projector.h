@@ -27,20 +27,22 @@ class SurfaceProjector {
   /// The point of the surface nearest to p.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& p) const;
 
-  /// The same, quicker if the answer is near the given face.
+  /// Distance of p to the surface.
+  [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
+
+  /// The nearest point, faster if the answer is near the given face.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& p, int face) const;
 
-  /// The point of the surface where a walk from the given face comes to rest that goes from face to
-  /// face, always nearer to p: on the sheet where it began, be another one as near as it may. Takes
-  /// a few faces for a short way, and does not search.
+  /// Walks over neighboring faces, always closer to p, and returns the local minimum; never leaves
+  /// the sheet it began on. Cost: the faces on the way.
   [[nodiscard]] SurfacePoint walk_towards(const Eigen::Vector3d& p, int face) const;
 
-  /// Unit normal: the vertex normals interpolated over the face, as a smooth surface would have it.
+  /// Unit normal: vertex normals interpolated over the face.
   [[nodiscard]] Eigen::Vector3d normal(const SurfacePoint& p) const;
   [[nodiscard]] const Eigen::Vector3d& normal(VertexHandle v) const;
 
-  /// How far it is from a vertex, straight inwards, to the other side of the surface; infinite if
-  /// nothing is there that looks the other way.
+  /// Distance from a vertex, straight inwards, to the other side of the surface; infinite if there
+  /// is no face whose normal points away.
   [[nodiscard]] double thickness(VertexHandle v) const;
 
  private:

@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 /// boundary.
 double bend_at(const TriMesh& mesh, EdgeHandle edge) {
   if (mesh.is_boundary(edge)) return 0.0;
-  const double angle = mesh.calc_dihedral_angle(edge);
+  const double angle = dihedral_angle(mesh, edge);
   return std::isfinite(angle) ? angle : 0.0;
 }
 
@@ -27,12 +29,12 @@ Bending bending_of(const TriMesh& mesh) {
   Bending result{std::vector<double>(mesh.n_vertices(), 0.0),
                  std::vector<double>(mesh.n_vertices(), 0.0)};
   for (const auto f : mesh.faces()) {  // each vertex has a third of the faces around
-    const double third = mesh.calc_face_area(f) / 3.0;
+    const double third = face_area(mesh, f) / 3.0;
     for (const auto v : mesh.fv_range(f)) result.area[index(v)] += third;
   }
   // Half the angle times the length of an edge, which its two vertices share.
   for (const auto e : mesh.edges()) {
-    const double share = 0.25 * bend_at(mesh, e) * mesh.calc_edge_length(e);
+    const double share = 0.25 * bend_at(mesh, e) * edge_length(mesh, e);
     result.bend[index(e.v0())] += share;
     result.bend[index(e.v1())] += share;
   }
@@ -46,7 +48,7 @@ FeatureLines find_feature_lines(const TriMesh& mesh, double angle) {
   for (const auto e : mesh.edges()) {
     if (std::abs(bend_at(mesh, e)) <= angle) continue;
     ++lines.edges;
-    lines.length += mesh.calc_edge_length(e);
+    lines.length += edge_length(mesh, e);
   }
   return lines;
 }

@@ -9,27 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/adjacency.h"
+
 namespace trivalent::remesh {
 
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/// Vertices along each boundary, with the surface to the right.
-std::vector<std::vector<VertexHandle>> boundary_loops(const TriMesh& mesh) {
-  std::vector<std::vector<VertexHandle>> loops;
-  std::vector<char> seen(mesh.n_halfedges(), 0);
-  for (const auto start : mesh.halfedges()) {
-    if (!mesh.is_boundary(start) || seen[static_cast<std::size_t>(start.idx())] != 0) continue;
-    loops.emplace_back();
-    HalfedgeHandle h = start;
-    while (std::exchange(seen[static_cast<std::size_t>(h.idx())], 1) == 0) {
-      loops.back().push_back(mesh.from_vertex_handle(h));
-      h = mesh.next_halfedge_handle(h);
-    }
-  }
-  return loops;
-}
 
 /// Triangles that fill a loop, as positions in it; none if there is no way.
 std::vector<std::array<int, 3>> patch_for(const TriMesh& mesh,

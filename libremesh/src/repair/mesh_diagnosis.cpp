@@ -10,6 +10,7 @@
 
 #include "io/mesh_readers.h"
 #include "mesh/edge_table.h"
+#include "mesh/geometry.h"
 #include "mesh/numbered_positions.h"
 #include "mesh/self_intersections.h"
 
@@ -17,7 +18,7 @@ namespace trivalent::remesh {
 
 namespace {
 
-constexpr std::size_t most_places = 5;
+constexpr std::size_t max_places = 5;
 
 class Diagnosis {
  public:
@@ -44,7 +45,7 @@ class Diagnosis {
     Finding& finding = findings_[static_cast<std::size_t>(problem)];
     finding.problem = problem;
     ++finding.count;
-    if (finding.first.size() < most_places) {
+    if (finding.first.size() < max_places) {
       finding.first.push_back({std::move(elements), point(first_point)});
     }
   }
@@ -104,7 +105,7 @@ class Diagnosis {
     for (std::size_t f = 0; f < soup_.triangles.size(); ++f) {
       const int index = static_cast<int>(f);
       const auto [a, b, c] = soup_.triangles[f];
-      if ((point(b) - point(a)).cross(point(c) - point(a)).isZero(0.0)) {
+      if (doubled_area_vector(point(a), point(b), point(c)).isZero(0.0)) {
         report(Problem::flat_face, {index}, a);
       }
       if (is_repeated[f] != 0) report(Problem::repeated_face, {index}, a);
@@ -148,7 +149,7 @@ class Diagnosis {
     for (const EdgeUse& edge : edges) {
       if (std::exchange(is_seen[loops.find(static_cast<std::size_t>(edge.low))], 1) != 0) continue;
       ++result_.boundary_loops;
-      if (result_.first_boundaries.size() < most_places) {
+      if (result_.first_boundaries.size() < max_places) {
         result_.first_boundaries.push_back({{edge.low, edge.high}, point(edge.low)});
       }
     }

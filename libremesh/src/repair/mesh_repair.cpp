@@ -6,6 +6,7 @@
 
 #include "io/mesh_readers.h"
 #include "mesh/edge_table.h"
+#include "mesh/geometry.h"
 #include "repair/fill_holes.h"
 #include "repair/soup_repair.h"
 #include "repair/wrap_surface.h"
@@ -17,7 +18,7 @@ namespace trivalent::remesh {
 namespace {
 
 /// Flips and collapses may lay other faces flat, so several rounds; beyond these it would go on.
-constexpr int most_rounds = 10;
+constexpr int max_rounds = 10;
 
 void note(std::vector<std::string>& notes, std::string_view verb, std::size_t count,
           std::string_view thing) {
@@ -26,7 +27,7 @@ void note(std::vector<std::string>& notes, std::string_view verb, std::size_t co
 
 // ---- flat faces --------------------------------------------------------------------------------
 
-bool is_flat(const TriMesh& mesh, FaceHandle face) { return mesh.calc_face_area(face) == 0.0; }
+bool is_flat(const TriMesh& mesh, FaceHandle face) { return face_area(mesh, face) == 0.0; }
 
 /// Collapses an edge without a length, or flips the longest edge, so that the vertex that lies on
 /// it divides the face on its other side. Neither changes the shape.
@@ -34,10 +35,10 @@ void remove_flat_face(TriMesh& mesh, FaceHandle face) {
   HalfedgeHandle shortest = mesh.halfedge_handle(face);
   HalfedgeHandle longest = shortest;
   for (const auto h : mesh.fh_range(face)) {
-    if (mesh.calc_edge_sqr_length(h) < mesh.calc_edge_sqr_length(shortest)) shortest = h;
-    if (mesh.calc_edge_sqr_length(h) > mesh.calc_edge_sqr_length(longest)) longest = h;
+    if (squared_length(mesh, h) < squared_length(mesh, shortest)) shortest = h;
+    if (squared_length(mesh, h) > squared_length(mesh, longest)) longest = h;
   }
-  if (mesh.calc_edge_sqr_length(shortest) == 0.0) {
+  if (squared_length(mesh, shortest) == 0.0) {
     if (mesh.is_collapse_ok(shortest)) mesh.collapse(shortest);
     return;
   }
@@ -65,7 +66,7 @@ void remove_flat_faces(TriMesh& mesh, std::vector<std::string>& notes) {
   };
   std::vector<FaceHandle> flat = flat_faces();
   const std::size_t before = flat.size();
-  for (int round = 0; round < most_rounds && !flat.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !flat.empty(); ++round) {
     for (const FaceHandle face : flat) {
       if (!mesh.status(face).deleted() && is_flat(mesh, face)) remove_flat_face(mesh, face);
     }
@@ -110,7 +111,7 @@ Components components_of(const TriangleSoup& soup) {
     const auto at = [&](std::size_t k) {
       return soup.points[static_cast<std::size_t>(soup.triangles[f][k])];
     };
-    components.area[c] += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+    components.area[c] += 0.5 * doubled_area_vector(at(0), at(1), at(2)).norm();
     components.volume[c] += at(0).dot(at(1).cross(at(2))) / 6.0;
     if (has_boundary[f] != 0) components.is_closed[c] = 0;
   }
