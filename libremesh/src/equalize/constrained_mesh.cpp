@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -107,20 +109,20 @@ void ConstrainedMesh::subdivide() {
   }
   std::vector<int> midpoint_of(mesh.n_edges());
   for (const auto e : mesh.edges()) {
-    const Eigen::Vector3d midpoint = 0.5 * (mesh.point(e.v0()) + mesh.point(e.v1()));
+    const Eigen::Vector3d middle = midpoint(mesh, e.v0(), e.v1());
     Anchor anchor;
     anchor.face = anchors_[e.v0()].face;
     const VertexHandle v(static_cast<int>(fine.positions.size()));
     if (const std::optional<int> curve = curve_of_[e]) {
       anchor.kind = FeatureKind::curve;
-      anchor.on_curve = curves_.nearest(midpoint, *curve);
+      anchor.on_curve = curves_.nearest(middle, *curve);
       fine.curve_edges.push_back({e.v0(), v, *curve});
       fine.curve_edges.push_back({v, e.v1(), *curve});
     }
     midpoint_of[static_cast<std::size_t>(e.idx())] = v.idx();
     fine.positions.push_back(anchor.kind == FeatureKind::curve
-                                 ? project(midpoint, anchor)
-                                 : project_between(e.v0(), e.v1(), midpoint, anchor));
+                                 ? project(middle, anchor)
+                                 : project_between(e.v0(), e.v1(), middle, anchor));
     fine.anchors.push_back(anchor);
   }
   fine.triangles.reserve(4 * mesh.n_faces());
@@ -143,7 +145,7 @@ Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
                                                  const Eigen::Vector3d& midpoint,
                                                  Anchor& anchor) const {
   const Eigen::Vector3d outward = normal(a) + normal(b);
-  const double length = (mesh.point(a) - mesh.point(b)).norm();
+  const double length = vector_between(mesh, b, a).norm();
   for (const double lift : {0.0, 0.125, 0.25, 0.5}) {
     const Eigen::Vector3d lifted = midpoint + lift * length * outward.normalized();
     const SurfacePoint foot = surface_.nearest(lifted, anchor.face);

@@ -11,15 +11,23 @@
 
 namespace trivalent::remesh {
 
-/// Where a vertex may go and where on the original it sits.
+/// Where on the original a vertex is, and where it may move.
 struct Anchor {
   FeatureKind kind = FeatureKind::none;
   int face = 0;         ///< of the original, at or near the vertex
   CurvePoint on_curve;  ///< for kind `curve`
 };
 
+/// A collapse of an edge that respects the features.
+struct Collapse {
+  HalfedgeHandle halfedge;                             ///< from the removed vertex to the kept one
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the kept vertex afterwards
+  Anchor anchor;                                       ///< of the kept vertex afterwards
+};
+
 /// A mesh that lies on an original surface: vertices on the surface move on it, those on a feature
-/// curve slide along the curve, corners stay.
+/// curve slide along the curve, corners stay. split(), collapse() and flip() keep anchors and
+/// curves right.
 class ConstrainedMesh {
  public:
   /// @param mesh  The original surface; changed in place by the steps of the remeshing.
@@ -35,11 +43,11 @@ class ConstrainedMesh {
   [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[e]; }
   void set_curve(EdgeHandle e, std::optional<int> curve) { curve_of_[e] = curve; }
 
-  /// From now on vertices stay on the sheet of the surface that they are on, though in a thin part
-  /// another may be nearer: project() walks from the anchor, and no face turns away from its sheet.
+  /// From now on vertices stay on their sheet of the surface, even where another one is nearer:
+  /// project() walks from the anchor, and no face turns away from its sheet.
   ///
-  /// @param reach  A walk that ends farther away [mesh's unit] has run into a valley: the nearest
-  /// point, if it looks the same way, is then taken instead.
+  /// @param reach  If a walk ends farther away than this [mesh's unit], the nearest point is taken
+  ///   instead, provided that its normal points the same way.
   void stay_on_sheets(double reach) { reach_ = reach; }
   [[nodiscard]] bool stays_on_sheets() const { return reach_.has_value(); }
 
@@ -49,7 +57,20 @@ class ConstrainedMesh {
   /// Unit normal of the original surface at the vertex.
   [[nodiscard]] Eigen::Vector3d normal(VertexHandle v) const;
 
-  /// Numbers vertices, edges and faces anew along a space-filling curve, so that neighbors lie
+  /// Splits an edge at its midpoint, which is then projected unless that turned a face over.
+  VertexHandle split(EdgeHandle e);
+
+  /// The collapse that keeps the less free end in place, or meets in the middle; none if it would
+  /// move a corner, join two curves, or is topologically impossible.
+  [[nodiscard]] std::optional<Collapse> plan_collapse(EdgeHandle e) const;
+  /// @param plan  From plan_collapse(), since when the mesh has not changed.
+  void collapse(const Collapse& plan);
+
+  /// Flips an edge, unless it is on a boundary or a curve, its flip exists already, or a face would
+  /// turn over; whether it was flipped.
+  bool flip(EdgeHandle e);
+
+  /// Renumbers vertices, edges and faces along a space-filling curve, so that neighbors lie
   /// together in memory: splits append, and collapses scatter. For large meshes this halves the
   /// time of all steps.
   void renumber();
@@ -77,6 +98,10 @@ class ConstrainedMesh {
   void restore(const State& state);
 
  private:
+  [[nodiscard]] bool keeps_curves(HalfedgeHandle h) const;
+  /// Curve edges at v and their other ends, but for the one to `except`.
+  [[nodiscard]] std::vector<std::pair<VertexHandle, int>> curve_edges_of(VertexHandle v,
+                                                                         VertexHandle except) const;
   /// The foot of an edge's midpoint on the side of the surface that the edge is on: in a thin part
   /// the nearest point may be on the other side, so the midpoint is lifted outwards until it is
   /// not.

@@ -1,6 +1,7 @@
 #include "equalize/valence.h"
 
 #include "equalize/face_guard.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
@@ -24,8 +25,8 @@ bool flip_improves(const TriMesh& mesh, const EdgeNeighborhood& around,
   const int before = squared(d1) + squared(d2) + squared(d3) + squared(d4);
   const int after = squared(d1 - 1) + squared(d2 + 1) + squared(d3 - 1) + squared(d4 + 1);
   if (after != before) return after < before;
-  return (mesh.point(around.v2) - mesh.point(around.v4)).norm() <
-         shorter * (mesh.point(around.v1) - mesh.point(around.v3)).norm();
+  return vector_between(mesh, around.v4, around.v2).norm() <
+         shorter * vector_between(mesh, around.v3, around.v1).norm();
 }
 
 }  // namespace
@@ -56,8 +57,7 @@ int correct_valences(ConstrainedMesh& constrained) {
       if (e.is_boundary() || constrained.curve_of(e)) continue;
       const EdgeNeighborhood around = neighborhood_of(mesh, e);
       if (!flip_improves(mesh, around, deviations)) continue;
-      if (!mesh.is_flip_ok(e) || !flip_stays_upright(mesh, e)) continue;
-      mesh.flip(e);
+      if (!constrained.flip(e)) continue;
       --deviations[index(around.v1)];
       --deviations[index(around.v3)];
       ++deviations[index(around.v2)];
