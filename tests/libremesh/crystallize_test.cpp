@@ -209,14 +209,18 @@ TEST(CrystallizeNet, ComesOutOfASurfaceTooSmallForACoarseOne) {
 
 TEST(CrystallizeNet, IsWholeWhenStoppedEarly) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
-  CrystalOptions options = quick(0.15);
-  int rounds = 0;
-  options.should_stop = [&] { return ++rounds == 5; };
-  const RemeshResult result = crystallize(torus, options);
-  EXPECT_TRUE(result.stopped);
-  EXPECT_EQ(result.iterations, 5);
-  EXPECT_TRUE(testing_support::is_closed(result.mesh));
-  EXPECT_NEAR(mean_edge_length(result.mesh), 0.15, 0.05 * 0.15);
+  for (const NetRest rest : {NetRest::on_surface, NetRest::in_space}) {
+    CrystalOptions options = quick(0.15);
+    options.rest = rest;
+    for (const int last_question : {60, 75, 90, 150, 300}) {
+      int questions = 0;
+      options.should_stop = [&] { return ++questions == last_question; };
+      const RemeshResult result = crystallize(torus, options);
+      EXPECT_TRUE(result.stopped);
+      EXPECT_TRUE(testing_support::is_closed(result.mesh));
+      EXPECT_NEAR(mean_edge_length(result.mesh), 0.15, 0.05 * 0.15);
+    }
+  }
 }
 
 TEST(CrystallizeNet, ReportsProgressToTheEnd) {

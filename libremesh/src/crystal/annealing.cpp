@@ -32,8 +32,8 @@ struct Trial {
 constexpr std::array<Trial, 4> trials = {
     {{3, 2, 0.1}, {2, patch_rings, 0.03}, {2, patch_rings, 0.01}, {2, patch_rings, 0.0}}};
 /// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
-constexpr int most_new_disorder = 2;
-constexpr double least_gain = 1e-4;        // at temperature 0, so that rounding errors move nothing
+constexpr int max_new_disorder = 2;
+constexpr double min_gain = 1e-4;          // at temperature 0, so that rounding errors move nothing
 constexpr int rounds_per_relaxation = 10;  // 20 leave edges of a third of the length in thin parts
 constexpr int sweeps_per_relaxation = 4;
 
@@ -59,7 +59,7 @@ class Annealing {
       seed_ = hashed(options_.seed, static_cast<std::uint64_t>(round));
       const std::vector<VertexHandle> sites = disjoint_sites(
           mesh_, deviations_,
-          {.rings = patch_rings, .least_deviation = options_.least_deviation, .seed = seed_});
+          {.rings = patch_rings, .min_deviation = options_.min_deviation, .seed = seed_});
       std::vector<Decision> decisions(sites.size());
       tbb::parallel_for(std::size_t{0}, sites.size(),
                         [&](std::size_t i) { decisions[i] = decide(sites[i]); });
@@ -97,7 +97,7 @@ class Annealing {
     if (!start.is_whole()) return decision;
     const int disorder = start.topology().disorder();
     // Thin parts have some already.
-    const int most_steep = start.steep_corners() + options_.most_new_steep;
+    const int max_steep = start.steep_corners() + options_.max_new_steep;
     start.relax(options_.length, sweeps);
     const double energy = energy_of(start);
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
@@ -107,16 +107,16 @@ class Annealing {
       const double most = largest_rise(uniform(random));
       patch = start;
       if (!make_move(patch, patch.topology(), move) ||
-          patch.topology().disorder() > disorder + most_new_disorder)
+          patch.topology().disorder() > disorder + max_new_disorder)
         continue;
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
         patch.relax(options_.length, trial.sweeps, start.topology().count_within(trial.rings));
         return energy_of(patch) - energy > most + trial.hopeless;
       });
-      if (is_hopeless || patch.steep_corners() > most_steep) continue;
+      if (is_hopeless || patch.steep_corners() > max_steep) continue;
       decision.patch = patch;
       project(decision);
-      if (decision.patch->steep_corners() > most_steep) decision.patch.reset();
+      if (decision.patch->steep_corners() > max_steep) decision.patch.reset();
       break;
     }
     return decision;
@@ -124,7 +124,7 @@ class Annealing {
 
   /// By Metropolis: exp(-rise/T) is at least the random number in [0, 1).
   [[nodiscard]] double largest_rise(double random) const {
-    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -least_gain;
+    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -min_gain;
   }
 
   /// Puts the patch onto the surface.

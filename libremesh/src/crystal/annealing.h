@@ -14,10 +14,9 @@ struct AnnealingOptions {
   double first_temperature = 0.0;  ///< falls linearly to 0
   int rounds = 0;
   std::uint64_t seed = 0;
-  /// Only vertices are tried whose valence differs from 6 by at least so much.
-  int least_deviation = 1;
-  /// So many corners of faces more than before may be steep on the surface after a move.
-  int most_new_steep = 0;
+  int min_deviation = 1;  ///< of a valence from 6, for a vertex to be tried
+  /// Maximum number of steep face corners a move may add.
+  int max_new_steep = 0;
   /// Called after every round with its number, from 0; annealing ends once it returns false.
   std::function<bool(int)> after_round = {};
 };

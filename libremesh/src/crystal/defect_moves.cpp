@@ -52,7 +52,7 @@ std::vector<VertexHandle> disjoint_sites(const TriMesh& mesh, const std::vector<
                                          const SiteChoice& choice) {
   std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
   for (const auto v : mesh.vertices()) {
-    if (std::abs(deviations[index(v)]) < choice.least_deviation || v.is_boundary()) continue;
+    if (std::abs(deviations[index(v)]) < choice.min_deviation || v.is_boundary()) continue;
     irregular.emplace_back(hashed(choice.seed, static_cast<std::uint64_t>(v.idx())), v);
   }
   std::sort(irregular.begin(), irregular.end());

@@ -59,8 +59,8 @@ bool make_move(Patch& patch, const PatchTopology& topology, const DefectMove& mo
 
 /// Which vertices are tried in a round.
 struct SiteChoice {
-  int rings;                ///< vertices up to so many edges from two sites are different ones
-  int least_deviation = 1;  ///< of the valence from 6
+  int rings;              ///< vertices up to so many edges from two sites are different ones
+  int min_deviation = 1;  ///< of the valence from 6
   std::uint64_t seed = 0;
 };
 

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 std::optional<TriMesh> inflated(const ConstrainedMesh& on_surface, double thickness) {
@@ -41,23 +43,13 @@ ConstrainedMesh::State carried_over(const ConstrainedMesh::State& net, const Tri
   for (std::size_t i = 0; i < net.positions.size(); ++i) {
     const Anchor& anchor = net.anchors[i];
     if (anchor.kind != FeatureKind::none) continue;  // curves are the same
-    std::array<Eigen::Vector3d, 3> a;
-    std::array<Eigen::Vector3d, 3> b;
-    std::size_t k = 0;
-    for (const auto v : from.fv_range(FaceHandle(anchor.face))) {
-      a[k] = from.point(v);
-      b[k++] = to.point(v);
-    }
-    const Eigen::Vector3d normal = (a[1] - a[0]).cross(a[2] - a[0]);
-    const double area = normal.squaredNorm();
-    if (!(area > 0.0)) {
-      result.positions[i] = b[0];
-      continue;
-    }
-    const Eigen::Vector3d& p = net.positions[i];
-    const double u = (a[1] - p).cross(a[2] - p).dot(normal) / area;
-    const double v = (a[2] - p).cross(a[0] - p).dot(normal) / area;
-    result.positions[i] = u * b[0] + v * b[1] + (1.0 - u - v) * b[2];
+    const FaceHandle f(anchor.face);
+    const std::array<Eigen::Vector3d, 3> there = corners_of(to, f);
+    const Eigen::Vector3d share = barycentric(corners_of(from, f), net.positions[i]);
+    result.positions[i] =
+        share.allFinite()
+            ? Eigen::Vector3d(share[0] * there[0] + share[1] * there[1] + share[2] * there[2])
+            : there[0];
   }
   return result;
 }

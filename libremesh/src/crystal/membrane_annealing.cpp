@@ -76,11 +76,10 @@ class MembraneAnnealing {
   }
 
   int play_round() {
-    const std::vector<VertexHandle> sites =
-        disjoint_sites(mesh_, deviations_,
-                       {.rings = MembranePatch::reach.inner,
-                        .least_deviation = options_.least_deviation,
-                        .seed = seed_});
+    const std::vector<VertexHandle> sites = disjoint_sites(mesh_, deviations_,
+                                                           {.rings = MembranePatch::reach.inner,
+                                                            .min_deviation = options_.min_deviation,
+                                                            .seed = seed_});
     const std::vector<int> live = net_.live_vertices();
     const PointGrid grid(std::span(mesh_.points(), mesh_.n_vertices()), live,
                          contact_skin * net_.membrane().contact_distance());

@@ -13,7 +13,7 @@ struct MembraneAnnealingOptions {
   int rounds = 0;
   int wanted_vertices = 0;  ///< N0
   std::uint64_t seed = 0;
-  int least_deviation = 1;  ///< only vertices are tried whose valence is so far from 6
+  int min_deviation = 1;  ///< of a valence from 6, for a vertex to be tried
   /// Called after every round with its number, from 0; annealing ends once it returns false.
   std::function<bool(int)> after_round = {};
 };

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "crystal/membrane_preconditioner.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
@@ -22,10 +23,8 @@ std::vector<MembraneNet::Sample> samples_of(const TriMesh& surface, const Surfac
   std::vector<MembraneNet::Sample> samples;
   double waiting = 0.5;
   for (const auto f : surface.faces()) {
-    std::array<Eigen::Vector3d, 3> corner;
-    std::size_t k = 0;
-    for (const auto v : f.vertices()) corner[k++] = surface.point(v);
-    for (waiting += surface.calc_face_area(f) / area_each; waiting >= 1.0; waiting -= 1.0) {
+    const std::array<Eigen::Vector3d, 3> corner = corners_of(surface, f);
+    for (waiting += face_area(surface, f) / area_each; waiting >= 1.0; waiting -= 1.0) {
       const auto n = static_cast<double>(samples.size());
       double s = n * first_step - std::floor(n * first_step);
       double t = n * second_step - std::floor(n * second_step);
@@ -50,7 +49,7 @@ constexpr double samples_per_vertex = 2.0;
 MembraneNet::MembraneNet(ConstrainedMesh& constrained, const TriMesh& surface,
                          const Membrane& membrane)
     : constrained_(constrained), membrane_(membrane) {
-  const double vertex_area = 0.5 * std::sqrt(3.0) * membrane.length * membrane.length;
+  const double vertex_area = 2.0 * unit_triangle_area * membrane.length * membrane.length;
   samples_ = samples_of(surface, constrained.surface(), vertex_area / samples_per_vertex,
                         1.0 / samples_per_vertex);
   renew();
@@ -200,7 +199,7 @@ void MembraneNet::add_contacts(MembraneTerms<double>& terms) const {
   }
 }
 
-void MembraneNet::relax(int steps) {
+void MembraneNet::relax(int steps, const std::function<bool()>& should_stop) {
   TriMesh& mesh = constrained_.mesh;
   const MembraneTerms<double> all = terms();
   const std::size_t n = mesh.n_vertices();
@@ -223,7 +222,7 @@ void MembraneNet::relax(int steps) {
   const double tolerance = 1e-6 * static_cast<double>(n);
   minimizer_.minimize(
       x, {.max_steps = steps, .max_move = 0.3 * membrane_.length, .tolerance = tolerance}, evaluate,
-      precondition, [](double, double) { return false; });
+      precondition, [&](double, double) { return should_stop && should_stop(); });
   for (std::size_t i = 0; i < n; ++i) {
     mesh.point(VertexHandle(static_cast<int>(i))) = x.segment<3>(4 * static_cast<Eigen::Index>(i));
   }

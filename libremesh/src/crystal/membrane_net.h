@@ -51,7 +51,9 @@ class MembraneNet {
   [[nodiscard]] VertexHold hold_at(const Eigen::Vector3d& position, Anchor& anchor) const;
 
   /// Moves all vertices towards the minimum of the energy.
-  void relax(int steps);
+  ///
+  /// @param should_stop  Asked before every step; once it returns true, the rest are left out.
+  void relax(int steps, const std::function<bool()>& should_stop = {});
 
   /// Energy per vertex without cores and count [eV].
   [[nodiscard]] double elastic_energy();

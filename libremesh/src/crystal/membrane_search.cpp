@@ -9,6 +9,7 @@
 
 #include "crystal/inflation.h"
 #include "crystal/membrane_annealing.h"
+#include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
@@ -111,7 +112,8 @@ class MembraneSearch {
   ///
   /// @return Its level.
   std::optional<std::size_t> start() {
-    const double vertex_area = 0.5 * std::sqrt(3.0) * Membrane::fine_length * Membrane::fine_length;
+    const double vertex_area =
+        2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
     const double vertices = area_ / vertex_area;
     for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
       const int coarseness = levels[level].coarseness;
@@ -149,7 +151,7 @@ class MembraneSearch {
 
   /// Vertices of a net that comes to the faces of the target length by divisions.
   [[nodiscard]] int wanted_vertices(const Level& level) const {
-    const double face_area = 0.25 * std::sqrt(3.0) * Membrane::fine_length * Membrane::fine_length;
+    const double face_area = unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
     const double faces = area_ / face_area / (level.coarseness * level.coarseness);
     // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
     const auto boundary =
@@ -192,9 +194,9 @@ class MembraneSearch {
       net.relax(hasty_steps);
       return energy_of(net);
     }
-    net.relax(opening_steps);
+    net.relax(opening_steps, watch_.question());
     net.renew();
-    net.relax(opening_steps);
+    net.relax(opening_steps, watch_.question());
     const bool is_last = level.coarseness == 1;
     MembraneAnnealingOptions options;
     options.first_temperature = schedule.hot;
@@ -209,7 +211,7 @@ class MembraneSearch {
     if (!is_last) return energy_of(net);
     options.first_temperature = 0.0;
     options.rounds = tidying_rounds;
-    options.least_deviation = 2;
+    options.min_deviation = 2;
     options.after_round = {};
     anneal_membrane(net, options);
     return energy_of(net);
@@ -229,7 +231,7 @@ class MembraneSearch {
     TriMesh& mesh = net_.mesh;
     std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
     for (const auto e : mesh.edges()) {
-      positions.emplace_back(0.5 * (mesh.point(e.v0()) + mesh.point(e.v1())));
+      positions.push_back(midpoint(mesh, e.v0(), e.v1()));
     }
     net_.on_surface.subdivide();
     for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
@@ -240,9 +242,9 @@ class MembraneSearch {
     if (options_.follow != Follow::close) membrane.tether = membrane.cover = 0.0;
     MembraneNet net(net_.on_surface, surface_, membrane);
     if (watch_.stopped()) return net.relax(hasty_steps);
-    net.relax(closing_steps);
+    net.relax(closing_steps, watch_.question());
     net.renew();
-    net.relax(closing_steps);
+    net.relax(closing_steps, watch_.question());
   }
 
   double scale_;  ///< from the mesh's unit to Å

@@ -8,7 +8,7 @@ namespace trivalent::remesh {
 bool SearchWatch::goes_on(const TriMesh& mesh, double length, double scale) {
   constexpr int rounds_per_report = 25;
   ++rounds_done_;
-  if (options_.should_stop && options_.should_stop()) stopped_ = true;
+  should_stop();
   const bool reports = rounds_done_ % rounds_per_report == 0 || rounds_done_ == rounds_;
   if (options_.on_progress && reports) {
     RemeshProgress progress = measure_progress(mesh);

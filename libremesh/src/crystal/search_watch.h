@@ -18,6 +18,15 @@ class SearchWatch {
   /// @return        Whether the search goes on.
   bool goes_on(const TriMesh& mesh, double length, double scale = 1.0);
 
+  /// Asks whether to stop, within a round.
+  bool should_stop() {
+    stopped_ = stopped_ || (options_.should_stop && options_.should_stop());
+    return stopped_;
+  }
+  /// should_stop() for others; must not outlive this object.
+  [[nodiscard]] std::function<bool()> question() {
+    return [this] { return should_stop(); };
+  }
   [[nodiscard]] bool stopped() const { return stopped_; }
   [[nodiscard]] int rounds_done() const { return rounds_done_; }
 

@@ -6,34 +6,16 @@
 #include <algorithm>
 
 #include "equalize/sliding.h"
+#include "mesh/adjacency.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
 namespace {
 
-/// Neighbors of every vertex, one after the other.
-struct Neighborhoods {
-  std::vector<int> begin;  // of each vertex in `neighbors`, and the end of the last
-  std::vector<int> neighbors;
-};
-
-Neighborhoods neighborhoods_of(const TriMesh& mesh) {
-  Neighborhoods result;
-  result.begin.reserve(mesh.n_vertices() + 1);
-  for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
-    result.begin.push_back(static_cast<int>(result.neighbors.size()));
-    const VertexHandle v(static_cast<int>(i));
-    if (mesh.status(v).deleted()) continue;
-    for (const auto w : mesh.vv_range(v)) result.neighbors.push_back(w.idx());
-  }
-  result.begin.push_back(static_cast<int>(result.neighbors.size()));
-  return result;
-}
-
 /// Where the vertices go in so many sweeps, all in the tangent planes of where they are.
 std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
-                                             const Neighborhoods& around, double length,
-                                             int sweeps) {
+                                             const IndexLists& around, double length, int sweeps) {
   const std::vector<MotionFrame> frames = motion_frames(constrained);
   std::vector<Eigen::Vector3d> positions(frames.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -43,8 +25,7 @@ std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
     for (std::size_t i = 0; i < positions.size(); ++i) {
       if (frames[i].freedoms == 0) continue;
       SpringStep step(frames[i]);
-      for (int k = around.begin[i]; k < around.begin[i + 1]; ++k) {
-        const int j = around.neighbors[static_cast<std::size_t>(k)];
+      for (const int j : around[i]) {
         step.add_edge(positions[static_cast<std::size_t>(j)] - positions[i], length);
       }
       positions[i] += step.displacement(length);
@@ -65,19 +46,21 @@ std::vector<MotionFrame> motion_frames(const ConstrainedMesh& constrained) {
   return frames;
 }
 
-void relax_springs(ConstrainedMesh& constrained, double length, int sweeps) {
+void relax_springs(ConstrainedMesh& constrained, double length, int sweeps,
+                   const std::function<bool()>& should_stop) {
   constexpr int sweeps_per_slide = 5;  // tangent planes and springs' far ends are then still right
-  const Neighborhoods around = neighborhoods_of(constrained.mesh);
+  const IndexLists around = one_rings(constrained.mesh);
   for (int done = 0; done < sweeps; done += sweeps_per_slide) {
     slide_vertices(constrained, positions_after(constrained, around, length,
                                                 std::min(sweeps_per_slide, sweeps - done)));
+    if (should_stop && should_stop()) return;
   }
 }
 
 void settle_springs(ConstrainedMesh& constrained, double length, int sweeps) {
   TriMesh& mesh = constrained.mesh;
   const std::vector<Eigen::Vector3d> positions =
-      positions_after(constrained, neighborhoods_of(mesh), length, sweeps);
+      positions_after(constrained, one_rings(mesh), length, sweeps);
   for (const auto v : mesh.vertices()) {
     if (constrained.anchor(v).kind == FeatureKind::none) mesh.point(v) = positions[index(v)];
   }
@@ -87,7 +70,7 @@ double spring_strain(const TriMesh& mesh, double length) {
   double count = 0.0;
   double sum = 0.0;
   for (const auto e : mesh.edges()) {
-    const double stretch = mesh.calc_edge_length(e) / length - 1.0;
+    const double stretch = edge_length(mesh, e) / length - 1.0;
     sum += stretch * stretch;
     count += 1.0;
   }

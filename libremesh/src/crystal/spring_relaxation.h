@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "crystal/spring_step.h"
@@ -13,7 +14,10 @@ namespace trivalent::remesh {
 /// Moves all vertices over the surface towards the minimum of Σ (|e|/L - 1)², one after the other
 /// (Gauss-Seidel, overrelaxed): each goes to the minimum of its own edges' energy in its tangent
 /// plane, or along its feature curve. Then all are projected; no face turns over.
-void relax_springs(ConstrainedMesh& constrained, double length, int sweeps);
+///
+/// @param should_stop  Asked every few sweeps; once it returns true, the rest are left out.
+void relax_springs(ConstrainedMesh& constrained, double length, int sweeps,
+                   const std::function<bool()>& should_stop = {});
 
 /// The same for a net that is at rest on the surface but for a small step off it: vertices move in
 /// their tangent planes only, and are not projected.

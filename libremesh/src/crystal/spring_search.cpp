@@ -10,6 +10,7 @@
 #include "crystal/spring_relaxation.h"
 #include "crystal/thin_parts.h"
 #include "equalize/sliding.h"
+#include "mesh/geometry.h"
 
 namespace trivalent::remesh {
 
@@ -56,7 +57,7 @@ double shrinkage(const TriMesh& inflated, const TriMesh& surface) {
   double moved = 0.0;
   for (const auto f : inflated.faces()) {
     const auto moves = [&](VertexHandle v) { return inflated.point(v) != surface.point(v); };
-    if (std::ranges::any_of(f.vertices(), moves)) moved += inflated.calc_face_area(f);
+    if (std::ranges::any_of(f.vertices(), moves)) moved += face_area(inflated, f);
   }
   const double whole = surface_area(inflated);
   return 1.0 - moved / whole * (1.0 - surface_area(surface) / whole);
@@ -75,17 +76,18 @@ double energy_of(const TriMesh& mesh, double length) {
 /// Brings a net at the target length to rest on its surface, half inside and half outside.
 ///
 /// @param crosses  Pairs of faces of the surface itself that cross.
-void finish_on_surface(Net& net, const CrystalOptions& options, int crosses) {
+void finish_on_surface(Net& net, const CrystalOptions& options, int crosses, SearchWatch& watch) {
   const double m = options.target_edge_length;
   // A valence outside 5 to 7 is worth more strain than a pair of other defects.
   anneal(net.on_surface, {.length = m,
                           .core_energy = 1.0,
                           .rounds = valence_rounds,
                           .seed = options.seed,
-                          .least_deviation = 2,
-                          .most_new_steep = 2});
+                          .min_deviation = 2,
+                          .max_new_steep = 2});
   relax_springs(net.on_surface, m,
-                options.effort == Effort::quick ? quick_closing_sweeps : closing_sweeps);
+                options.effort == Effort::quick ? quick_closing_sweeps : closing_sweeps,
+                watch.question());
   straddle_surface(net.on_surface);
   settle_springs(net.on_surface, m, settling_sweeps);
   if (count_crossings(net.mesh) == 0) return;
@@ -223,7 +225,7 @@ class SpringSearch {
     const ConstrainedMesh::State annealed = net->on_surface.state();
     finish(*net);
     const Flaws flaws_of_net = flaws(net->mesh);
-    if (flaws_of_net.left_out == 0.0) return net;
+    if (flaws_of_net.left_out == 0.0 || watch_.should_stop()) return net;
     const ConstrainedMesh::State finished = net->on_surface.state();
     net->on_surface.restore(annealed);
     mend_thin_parts(net->on_surface, surface_, m);
@@ -232,7 +234,7 @@ class SpringSearch {
     return net;
   }
 
-  void finish(Net& net) const { finish_on_surface(net, options_, crossings_of_surface_); }
+  void finish(Net& net) const { finish_on_surface(net, options_, crossings_of_surface_, watch_); }
 
   [[nodiscard]] std::unique_ptr<Net> first_net(const TriMesh& surface) const {
     return starting_net(surface, creases_,
@@ -258,7 +260,7 @@ class SpringSearch {
   }
 
   void anneal_net(Net& net, double length, const Stage& stage) {
-    relax_springs(net.on_surface, length, opening_sweeps);
+    relax_springs(net.on_surface, length, opening_sweeps, watch_.question());
     if (watch_.stopped()) return;
     anneal(net.on_surface, {.length = length,
                             .core_energy = stage.core_energy,
@@ -288,9 +290,9 @@ Flaws find_flaws(const TriMesh& net, const TriMesh& surface, double m, double re
   double area = 0.0;
   for (const auto f : surface.faces()) {
     const auto is_far = [&](const auto v) { return distances[index(v)] > reach; };
-    if (std::ranges::any_of(f.vertices(), is_far)) area += surface.calc_face_area(f);
+    if (std::ranges::any_of(f.vertices(), is_far)) area += face_area(surface, f);
   }
-  return {count_crossings(net), area / (std::sqrt(3.0) / 4.0 * m * m)};
+  return {count_crossings(net), area / (unit_triangle_area * m * m)};
 }
 
 FoundNet search_springs(const SearchSurface& surface, const CrystalOptions& options,

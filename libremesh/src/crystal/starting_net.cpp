@@ -6,6 +6,7 @@
 #include "crystal/spring_relaxation.h"
 #include "crystal/thin_parts.h"
 #include "equalize/paper_loop.h"
+#include "mesh/geometry.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 
@@ -38,7 +39,7 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
   constexpr double farthest_covered = 1.6;  // edges: tips may be cut off, but no fingers
   int astray = count_crossings(net.mesh);
   for (const auto f : net.mesh.faces()) {
-    const Eigen::Vector3d normal = net.mesh.calc_normal(f);
+    const Eigen::Vector3d normal = face_normal(net.mesh, f);
     Eigen::Vector3d there = Eigen::Vector3d::Zero();
     for (const auto v : f.vertices()) there += net.on_surface.normal(v);
     if (normal.dot(there) < min_cosine * there.norm()) ++astray;
@@ -75,7 +76,7 @@ std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases
 
 std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& creases,
                                          double area, const StartingNetOptions& options) {
-  const double unit_area = std::sqrt(3.0) / 2.0;  // per vertex of a net of edge 1
+  const double unit_area = 2.0 * unit_triangle_area;  // per vertex of a net of edge 1
   const double length = options.length;
   if (area < min_coarse_vertices * unit_area * length * length) return nullptr;
   if (!can_hold(surface, length)) return nullptr;

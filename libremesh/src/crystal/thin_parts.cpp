@@ -9,6 +9,7 @@
 #include "equalize/sliding.h"
 #include "equalize/stellar.h"
 #include "equalize/valence.h"
+#include "mesh/geometry.h"
 #include "mesh/self_intersections.h"
 
 namespace trivalent::remesh {
@@ -18,7 +19,7 @@ namespace {
 bool looks_inwards(const ConstrainedMesh& constrained, FaceHandle f) {
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();
   for (const auto v : constrained.mesh.fv_range(f)) outward += constrained.normal(v);
-  return constrained.mesh.calc_normal(f).dot(outward) < 0.0;
+  return face_normal(constrained.mesh, f).dot(outward) < 0.0;
 }
 
 /// The free vertices of faces that look inwards, in order.
@@ -100,9 +101,9 @@ Eigen::Vector3d direction_between(const ConstrainedMesh& constrained, const std:
 }  // namespace
 
 void unfold(ConstrainedMesh& constrained) {
-  constexpr int most_steps = 20;
+  constexpr int max_steps = 20;
   TriMesh& mesh = constrained.mesh;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const std::vector<VertexHandle> folded = folded_vertices(constrained);
     if (folded.empty()) return;
     for (const VertexHandle v : folded) {
@@ -116,7 +117,7 @@ void unfold(ConstrainedMesh& constrained) {
 }
 
 void mend_thin_parts(ConstrainedMesh& constrained, const TriMesh& surface, double length) {
-  constexpr int most_rounds = 5;
+  constexpr int max_rounds = 5;
   constexpr double far = 0.6;  // of the length
   // Springs and annealing bring the edges in between to the length.
   const StellarLimits limits = {.target = length,
@@ -124,7 +125,7 @@ void mend_thin_parts(ConstrainedMesh& constrained, const TriMesh& surface, doubl
                                 .longest = 1.5 * length,
                                 .overlong = 1.6 * length,
                                 .mends_valences = false};
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     unfold(constrained);
     const int moved = reach_tips(constrained, surface, far * length);
     if (apply_stellar_operations(constrained, limits) + moved == 0) return;
@@ -134,12 +135,12 @@ void mend_thin_parts(ConstrainedMesh& constrained, const TriMesh& surface, doubl
 }
 
 void part_sheets(ConstrainedMesh& constrained) {
-  constexpr int most_steps = 20;
+  constexpr int max_steps = 20;
   constexpr double step = 0.02;  // of the mean edge
   TriMesh& mesh = constrained.mesh;
   const double size = step * mean_edge_length(mesh);
   const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const CrossingFaces crossing =
         find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), faces, faces.size());
     if (crossing.count == 0) return;
