@@ -143,6 +143,18 @@ TEST(StructureFormats, WriteAnyBoxForLammps) {
               shell::evaluate(turned).energy.energy, 1e-9);
 }
 
+TEST(StructureFormats, RefuseOptionsOfOthers) {
+  const TemporaryFolder folder;
+  write_structure(folder.path() / "a.extxyz", c20());
+  write_structure(folder.path() / "a.data", c20());
+  EXPECT_THROW(static_cast<void>(shell::read_structure(
+                   folder.path() / "a.extxyz", {.reading = {.atom_style = AtomStyle::full}})),
+               InvalidOption);
+  EXPECT_THROW(
+      static_cast<void>(shell::read_structure(folder.path() / "a.data", {.reading = {.frame = 2}})),
+      InvalidOption);
+}
+
 TEST(StructureFormats, SayWhatTheyDoNotKnow) {
   EXPECT_THROW(static_cast<void>(structure_format("pdb")), InvalidOption);
   EXPECT_THROW(write_structure("a.pdb", c20()), InvalidOption);

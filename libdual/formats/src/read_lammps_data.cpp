@@ -312,6 +312,10 @@ StructureFile DataReader::assemble() {
 
 StructureFile read_lammps_data(const std::filesystem::path& path, const ReadOptions& options) {
   const TextSource source = {.reader = "read_lammps_data", .path = path};
+  if (options.frame.value_or(1) != 1) {
+    throw InvalidOption(concat(
+        "read_lammps_data: a data file holds one structure; there is no number ", *options.frame));
+  }
   const std::string text = read_text(source);
   return DataReader(text, source, options).read();
 }

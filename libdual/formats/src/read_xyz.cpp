@@ -248,6 +248,7 @@ FoundFrame find_frame(LineReader lines, const ReadOptions& options) {
 
 StructureFile read_xyz(const std::filesystem::path& path, const ReadOptions& options) {
   const TextSource source = {.reader = "read_xyz", .path = path};
+  if (options.atom_style) throw InvalidOption("read_xyz: only LAMMPS data have an atom_style");
   const std::string text = read_text(source);
   FoundFrame found = find_frame(LineReader(text, source), options);
   StructureFile file = FrameReader(found.lines, options).read();

@@ -68,6 +68,7 @@ void write_lammps_data(const std::filesystem::path& path, const Structure& struc
 ///   header that LAMMPS does not know, another atom_style or one that cannot be told, other units
 ///   than metal or real in its title, a mass that contradicts its comment or label, masses of other
 ///   elements than C and H, or atoms twice; the message names the line.
+/// @throws InvalidOption if the options name another structure than the first.
 [[nodiscard]] StructureFile read_lammps_data(const std::filesystem::path& path,
                                              const ReadOptions& options = {});
 

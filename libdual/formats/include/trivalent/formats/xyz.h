@@ -39,6 +39,7 @@ void write_xyz(const std::filesystem::path& path, const Structure& structure,
 /// @throws FileError if the file is missing, unreadable, cut short or malformed, lacks the wanted
 ///   structure, holds a number that is not finite, a key that seems to be a misspelled one of the
 ///   structure, or elements other than C and H; the message names the line.
+/// @throws InvalidOption if the options name an atom_style.
 [[nodiscard]] StructureFile read_xyz(const std::filesystem::path& path,
                                      const ReadOptions& options = {});
 
