@@ -87,6 +87,7 @@ def main():
                 print(f"{name:24} trivalent - LAMMPS {row['excess']:+.6f} eV/atom, largest force claimed "
                       f"{row['claimed']:.2e}, found {row['found']:.2e} eV/Å, converged {row['converged']}", flush=True)
     if cache:
+        os.makedirs(options.cache, exist_ok=True)
         json.dump(known, open(cache, "w"))
     honest = sum(row["honest"] for row in rows)
     low = sum(row["excess"] <= TOLERANCE for row in rows)

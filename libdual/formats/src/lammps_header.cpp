@@ -1,5 +1,6 @@
 #include "lammps_header.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 namespace trivalent::dual {
