@@ -1,5 +1,7 @@
 #include "trivalent/shell/plan.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "free_memory.h"
@@ -18,15 +20,38 @@ double memory_of(double atoms, double input_faces) {
   return bytes_of_program + bytes_per_atom * atoms + bytes_per_input_face * input_faces;
 }
 
-/// Wall time on two processors of about 3 GHz.
-double seconds_of(double atoms, const remesh::RemeshMethod& method) {
-  constexpr double seconds_per_atom_and_iteration = 4e-6;
+/// How long the search for a net takes [s], of processors of about 3 GHz.
+double seconds_of_net(double atoms, const remesh::MeshComponents& components,
+                      const remesh::RemeshMethod& method) {
+  constexpr double per_atom_and_iteration = 8e-6;
   if (const auto* paper = std::get_if<remesh::RemeshOptions>(&method)) {
-    return atoms * paper->iterations * seconds_per_atom_and_iteration;
+    return atoms * paper->iterations * per_atom_and_iteration;
   }
-  constexpr double seconds_per_atom = 1e-3;
-  return atoms * seconds_per_atom *
-         remesh::effort_factor(std::get<remesh::CrystalOptions>(method).effort);
+  const auto& crystal = std::get<remesh::CrystalOptions>(method);
+  // Short searches still start from a net, and end with one at rest.
+  constexpr double min_effort = 0.3;
+  const double effort = std::max(remesh::effort_factor(crystal.effort), min_effort);
+  const bool has_curves = crystal.feature_angle ||
+                          !std::ranges::all_of(components.parts, &remesh::MeshComponent::is_closed);
+  constexpr double springs_per_atom = 9e-4;
+  if (has_curves) return effort * springs_per_atom * atoms;
+  // Large membranes are annealed at four times the edge length, which takes less per atom.
+  constexpr double membrane_of_one_atom = 4.6e-3;
+  constexpr double exponent = 0.9;
+  return effort * membrane_of_one_atom * std::pow(atoms, exponent);
+}
+
+/// Processor time of whole builds; scripts/bench_forecast.py compares it with what they take.
+double seconds_of(double atoms, double input_faces, const remesh::MeshComponents& components,
+                  const remesh::RemeshMethod& method) {
+  constexpr double start = 0.8;  // and the distance between the surfaces
+  constexpr double per_input_face = 3e-5;
+  constexpr double per_atom_and_step = 1e-6;  // of the relaxation
+  constexpr double steps_of_crystal = 150.0;
+  constexpr double steps_of_paper = 700.0;
+  const bool is_paper = std::holds_alternative<remesh::RemeshOptions>(method);
+  return start + per_input_face * input_faces + seconds_of_net(atoms, components, method) +
+         per_atom_and_step * (is_paper ? steps_of_paper : steps_of_crystal) * atoms;
 }
 
 /// An atom more would not have an index.
@@ -84,7 +109,8 @@ Plan plan(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
   plan.shell = dual::estimate_shell(mesh, options);
   plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()));
   plan.free_memory = shell::free_memory();
-  plan.seconds = seconds_of(plan.shell.atoms, options.method);
+  plan.seconds =
+      seconds_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), components, options.method);
   plan.components = static_cast<int>(components.parts.size());
   find_obstacles(components, plan);
   return plan;
@@ -114,7 +140,7 @@ std::vector<dual::TableRow> Plan::rows() const {
       {"scale", significant(shell.scale) + " Å per unit"},
       {"memory", "about " + bytes_text(memory) +
                      (free_memory ? " of " + bytes_text(*free_memory) + " free" : "")},
-      {"time", "about " + significant(seconds, 1) + " s"}};
+      {"time", "about " + significant(seconds, 1) + " s of processor time"}};
   for (const std::string& obstacle : obstacles) rows.push_back({"cannot be made", obstacle});
   return rows;
 }

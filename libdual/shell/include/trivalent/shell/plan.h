@@ -16,7 +16,7 @@ struct Plan {
   dual::ShellEstimate shell;
   double memory = 0.0;                ///< about so much at its peak [bytes]
   std::optional<double> free_memory;  ///< [bytes], if known
-  double seconds = 0.0;               ///< about so long, with all processors
+  double seconds = 0.0;               ///< about so much processor time, relaxation included
   int components = 0;
   /// Why the build cannot succeed, each with a way out; empty if nothing is known to prevent it.
   std::vector<std::string> obstacles = {};
