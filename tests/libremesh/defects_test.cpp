@@ -37,9 +37,8 @@ TEST(FindDefects, OfAScarAreItsPairsAndOneDisclination) {
   // one 7 and two 5s.
   TriMesh sphere = make_shape("sphere", {}, 0.2);
   const int lone = find_defects(sphere).lone_5;
-  const auto five = std::ranges::find_if(
-      sphere.vertices_begin(), sphere.vertices_end(),
-      [&](VertexHandle v) { return sphere.valence(v) == 5; });
+  const auto five = std::ranges::find_if(sphere.vertices_begin(), sphere.vertices_end(),
+                                         [&](VertexHandle v) { return sphere.valence(v) == 5; });
   ASSERT_NE(five, sphere.vertices_end());
   const HalfedgeHandle spoke = *sphere.cvoh_iter(*five);
   sphere.flip(sphere.edge_handle(sphere.next_halfedge_handle(spoke)));

@@ -8,7 +8,8 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// A maximum matching of the vertices of valence 5 with neighbors of valence 7, by augmenting paths.
+/// A maximum matching of the vertices of valence 5 with neighbors of valence 7, by augmenting
+/// paths.
 class Pairing {
  public:
   explicit Pairing(const TriMesh& mesh)

@@ -14,10 +14,10 @@ namespace trivalent::shell {
 /// allows. All energies in eV.
 struct EnergyBudget {
   int atoms = 0;
-  double total = 0.0;        ///< above graphene, REBO
-  double bending = 0.0;      ///< ½ κ ∫ (2H)² dA of the shell as it is, κ = 1.4 eV
-  remesh::Defects defects;   ///< rings of 5 and 7: alone as curvature asks for them, and in pairs
-  double pairs = 0.0;        ///< of the 5-7 pairs that are left over, at about 3 eV each
+  double total = 0.0;       ///< above graphene, REBO
+  double bending = 0.0;     ///< ½ κ ∫ (2H)² dA of the shell as it is, κ = 1.4 eV
+  remesh::Defects defects;  ///< rings of 5 and 7: alone as curvature asks for them, and in pairs
+  double pairs = 0.0;       ///< of the 5-7 pairs that are left over, at about 3 eV each
   /// Of the best known shell of as many atoms around a sphere, icosahedral: 9.844 ln N - 7.52. For
   /// closed surfaces of genus 0 only.
   std::optional<double> sphere = std::nullopt;
