@@ -335,6 +335,15 @@ TEST(ReadXyz, LeavesOutBondsThatDoNotMatch) {
   }
 }
 
+TEST(ReadXyz, LeavesOutBondsToImagesBeyondCounting) {
+  const auto [structure, notes] = file_of(
+      "1\nLattice=\"2 0 0 0 2 0 0 0 2\" "
+      "Properties=species:S:1:pos:R:3:bonded_atoms:I:1:bonded_images:I:3\n"
+      "C 0 0 0 0 -2147483648 0 0\n");
+  EXPECT_TRUE(structure.bonds.empty());
+  EXPECT_EQ(notes.size(), 1u);
+}
+
 TEST(Xyz, KeepsArraysOfTheHeaderWhole) {
   for (const std::string array : {"[1, 0, 0]", "[[1, 2], [3, 4]]", "[a, b]"}) {
     const Structure frame =

@@ -38,7 +38,12 @@ Entries read_entries(const BondColumns& columns, std::size_t n_atoms) {
     }
     Entry entry = {atom, other, 0, 0, 0};
     for (std::size_t i = 0; i < 3 && !columns.images.empty(); ++i) {
+      constexpr int max_image = 1'000'000;  // can be negated, and is far beyond any bond
       entry[2 + i] = columns.images[3 * k + i];
+      if (entry[2 + i] > max_image || entry[2 + i] < -max_image) {
+        entries.fault = concat("atom ", atom + 1, " names an image ", entry[2 + i], " cells away");
+        return entries;
+      }
     }
     entries.all.insert(entry);
   }
