@@ -66,11 +66,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   shell::Surface surface = read_surface(request);
   const double read_seconds = stopwatch.lap();
   remesh::RemeshMethod& method = request.build.shell.method;
-  // Until then there is nothing that a stop could keep: a signal ends the program.
+  // Before the first step a signal ends the program.
   std::optional<StopRequest> stop;
   request.build.on_step = [&](shell::BuildStep step) {
-    const bool can_stop = step != shell::BuildStep::remesh_and_dual || can_stop_early(method);
-    if (can_stop && !stop) stop_with(method, stop.emplace());
+    if (!stop) stop_with(method, stop.emplace());
     if (step == shell::BuildStep::relax) stop->keep_results();
   };
   RelaxLine line(session->terminal);

@@ -31,7 +31,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   remesh::TriMesh mesh = read_mesh_file(session->get<std::string>("MESH"), session->terminal);
   const double scale = dual::scale_for_size(mesh, size);
   const dual::Structure structure = shell::structure_of(std::move(mesh), size);
-  dual::write_structure(output, structure, options);
+  session->terminal.notes(dual::write_structure(output, structure, options));
 
   const dual::NetworkReport report = dual::check_network(structure);
   Result result = {

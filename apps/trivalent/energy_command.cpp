@@ -42,17 +42,19 @@ shell::EvaluateOptions evaluate_options(const Session& session) {
           .forces = session.has("forces") ? shell::ForceReport::all : shell::ForceReport::none};
 }
 
-void write_result(const std::filesystem::path& output, const shell::Evaluation& result,
-                  dual::Digits precision) {
+std::vector<std::string> write_result(const std::filesystem::path& output,
+                                      const shell::Evaluation& result, dual::Digits precision) {
   const std::string extension = extension_of(output);
   if (extension == ".vtp") {
     dual::write_vtp(output, result.state);
-  } else if (extension == ".ply") {
+    return {};
+  }
+  if (extension == ".ply") {
     dual::write_energy_ply(output, result.state.structure, result.energy.energies,
                            {.scale = result.state.find("energy")->scale});
-  } else {
-    dual::write_structure(output, result.structure(), {.digits = precision});
+    return {};
   }
+  return dual::write_structure(output, result.structure(), {.digits = precision});
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
@@ -65,7 +67,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto& file = session->get<std::string>("FILE");
   const shell::Evaluation result = shell::evaluate(
       read_structure(file, structure_options(*session), session->terminal), options);
-  if (output) write_result(*output, result, precision);
+  if (output) session->terminal.notes(write_result(*output, result, precision));
   Result printed = {.table = result.rows(), .json = {{"file", file}}};
   printed.json.update(result.json());
   session->terminal.print(printed);

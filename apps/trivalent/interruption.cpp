@@ -66,6 +66,8 @@ void handle_interruptions() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+int interruption_exit_code() { return stop_signal != 0 ? 128 + stop_signal : 0; }
+
 StopRequest::StopRequest() {
   stop_signal = 0;
   is_urgent = false;
@@ -85,7 +87,5 @@ void StopRequest::keep_results() const {
 }
 
 bool StopRequest::is_made() const { return stop_signal != 0; }
-
-int StopRequest::exit_code() const { return is_made() ? 128 + stop_signal : 0; }
 
 }  // namespace trivalent::apps

@@ -14,6 +14,9 @@ namespace trivalent::apps {
 ///     return stop.exit_code();
 void handle_interruptions();
 
+/// 128 + the number of the signal that asked the last StopRequest, as shells count; 0 if none did.
+[[nodiscard]] int interruption_exit_code();
+
 /// Whether the user wants the work to come to an end. One at a time, in the main thread; any thread
 /// may ask.
 class StopRequest {
@@ -33,8 +36,7 @@ class StopRequest {
 
   /// A signal has come since the object was made.
   [[nodiscard]] bool is_made() const;
-  /// 128 + the number of the signal, as shells count; 0 if there was none.
-  [[nodiscard]] int exit_code() const;
+  [[nodiscard]] int exit_code() const { return interruption_exit_code(); }
 };
 
 }  // namespace trivalent::apps

@@ -70,6 +70,9 @@ int run_and_report(const std::vector<std::string>& words) {
     return complain(error.what(), wrong_usage);
   } catch (const potentials::InvalidOption& error) {
     return complain(error.what(), wrong_usage);
+  } catch (const remesh::Stopped&) {
+    return complain("stopped before anything was finished; nothing is kept",
+                    interruption_exit_code());
   } catch (const std::bad_alloc&) {
     return complain("out of memory", failed);
   } catch (const std::exception& error) {

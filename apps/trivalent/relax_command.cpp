@@ -34,11 +34,13 @@ int run(const Command& self, std::span<const std::string> arguments) {
     return !stop->is_made();
   };
   const shell::RelaxedStructure result = shell::relax(std::move(structure), options);
-  dual::write_structure(output, result.structure, {.digits = precision});
+  const std::vector<std::string> notes_of_file =
+      dual::write_structure(output, result.structure, {.digits = precision});
   const int exit_code = stop ? stop->exit_code() : done;
   // A run that was stopped can be taken up again.
   if (exit_code == done && options.checkpoint) std::filesystem::remove(*options.checkpoint);
   session->terminal.notes(result.notes);
+  session->terminal.notes(notes_of_file);
   Result printed = {.table = result.rows(), .json = {{"network", network}}};
   printed.json.update(result.json());
   session->terminal.print(printed);

@@ -38,7 +38,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   int exit_code = done;
   options.on_step = [&](shell::RemeshStep step) {
     if (step == shell::RemeshStep::remesh) {
-      if (can_stop_early(options.method)) stop_with(options.method, stop.emplace());
+      stop_with(options.method, stop.emplace());
       return;
     }
     if (stop) exit_code = stop->exit_code();

@@ -90,15 +90,10 @@ remesh::RemeshMethod remesh_method(const Session& session) {
              : completed(paper_options(session), session);
 }
 
-bool can_stop_early(const remesh::RemeshMethod& method) {
-  return std::holds_alternative<remesh::CrystalOptions>(method);
-}
-
 void stop_with(remesh::RemeshMethod& method, const StopRequest& stop) {
-  if (auto* crystal = std::get_if<remesh::CrystalOptions>(&method)) {
-    stop.answer_in_time();
-    crystal->should_stop = [&stop] { return stop.is_made(); };
-  }
+  stop.answer_in_time();
+  std::visit([&](auto& options) { options.should_stop = [&stop] { return stop.is_made(); }; },
+             method);
 }
 
 }  // namespace trivalent::apps

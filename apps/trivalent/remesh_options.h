@@ -16,10 +16,7 @@ void add_remesh_options(po::options_description& options);
 /// @throws UsageError if a name is unknown, or an option belongs to the other method.
 [[nodiscard]] remesh::RemeshMethod remesh_method(const Session& session);
 
-/// Whether the method can end early with the best net so far.
-[[nodiscard]] bool can_stop_early(const remesh::RemeshMethod& method);
-
-/// Lets the request end a method that can; it must outlive the method's run.
+/// Lets the request end the method; it must outlive the method's run.
 void stop_with(remesh::RemeshMethod& method, const StopRequest& stop);
 
 }  // namespace trivalent::apps

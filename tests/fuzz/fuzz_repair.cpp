@@ -22,8 +22,8 @@ TriangleSoup soup_of(const std::uint8_t* data, std::size_t size) {
     const int place = k / 2;
     soup.points.emplace_back(place % 3, place / 3 % 3, place / 9);
   }
-  constexpr std::size_t most_bytes = 3 * 200;
-  for (std::size_t i = 0; i + 3 <= std::min(size, most_bytes); i += 3) {
+  constexpr std::size_t max_bytes = 3 * 200;
+  for (std::size_t i = 0; i + 3 <= std::min(size, max_bytes); i += 3) {
     const std::array<int, 3> t = {data[i] % n_points, data[i + 1] % n_points,
                                   data[i + 2] % n_points};
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) soup.triangles.push_back(t);

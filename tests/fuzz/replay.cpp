@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Inputs are damaged at this many places at most, evenly spaced.
-constexpr std::size_t most_places = 500;
+constexpr std::size_t max_places = 500;
 constexpr std::string_view bytes_put = std::string_view("\0\xff-9e\n ", 7);
 
 void run(std::string_view bytes) {
@@ -33,7 +33,7 @@ void run(std::string_view bytes) {
 std::size_t run_damaged(const std::string& bytes) {
   run(bytes);
   std::size_t n_runs = 1;
-  const std::size_t stride = bytes.size() / most_places + 1;
+  const std::size_t stride = bytes.size() / max_places + 1;
   for (std::size_t place = 0; place < bytes.size(); place += stride) {
     run(std::string_view(bytes).substr(0, place));
     for (const char put : bytes_put) {

@@ -42,15 +42,15 @@ TEST(BuildShell, TakesTheNearestOfSeveralAttemptsAtANumberOfAtoms) {
   for (const int atoms : {30, 36, 42, 60}) {
     const Shell shell = build_shell(mesh, options(atoms));
     double target = estimate_shell(mesh, options(atoms)).edge_length;
-    double least_miss = 1.0;
+    double smallest_miss = 1.0;
     for (int attempt = 0; attempt < shell.remeshings; ++attempt) {
       const double faces =
           static_cast<double>(remesh::remesh_by(mesh, few_iterations(), target).mesh.n_faces());
-      least_miss = std::min(least_miss, std::abs(faces / atoms - 1.0));
+      smallest_miss = std::min(smallest_miss, std::abs(faces / atoms - 1.0));
       target *= std::sqrt(faces / atoms);
     }
     const double miss = std::abs(static_cast<double>(shell.surface.mesh.n_faces()) / atoms - 1.0);
-    EXPECT_EQ(miss, least_miss) << atoms;
+    EXPECT_EQ(miss, smallest_miss) << atoms;
   }
 }
 

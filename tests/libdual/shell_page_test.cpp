@@ -137,7 +137,7 @@ TEST(WriteShellPage, KeepsTheOrderOfStatesAndTheScaleOfTheLast) {
 }
 
 TEST(WriteShellPage, ShowsASampleOfManyAtomsAndTheWorst) {
-  const std::size_t many = most_page_atoms + 500000;
+  const std::size_t many = max_page_atoms + 500000;
   ShellState state = {.name = "gas", .structure = {}, .maps = {}};
   std::vector<double> energies(many, -1.0);
   const std::size_t worst = 1000003;
@@ -150,8 +150,8 @@ TEST(WriteShellPage, ShowsASampleOfManyAtomsAndTheWorst) {
   add_energies(state, energies, 0.0);
   const std::string text = page_text({.title = "", .states = {state}});
   const auto sample = unpacked(text.substr(text.find("\"sample\":")));
-  EXPECT_GE(sample.size(), most_page_atoms);
-  EXPECT_LT(sample.size(), most_page_atoms + 200);
+  EXPECT_GE(sample.size(), max_page_atoms);
+  EXPECT_LT(sample.size(), max_page_atoms + 200);
   EXPECT_TRUE(std::is_sorted(sample.begin(), sample.end()));
   EXPECT_TRUE(std::binary_search(sample.begin(), sample.end(), static_cast<std::int32_t>(worst)));
   EXPECT_NE(text.find("\"total_atoms\":1500000"), std::string::npos);

@@ -41,7 +41,8 @@ StructureFile read_toy(const std::filesystem::path& path, const ReadOptions&) {
   return file;
 }
 
-void write_toy(std::ostream& out, const Structure& structure, const WriteOptions& options) {
+std::vector<std::string> write_toy(std::ostream& out, const Structure& structure,
+                                   const WriteOptions& options) {
   for (const Eigen::Vector3d& x : structure.atoms.positions) {
     std::string line;
     for (int i = 0; i < 3; ++i) {
@@ -50,6 +51,7 @@ void write_toy(std::ostream& out, const Structure& structure, const WriteOptions
     }
     out << line;
   }
+  return {};
 }
 
 class ToyFormat : public testing::Test {
@@ -137,7 +139,12 @@ TEST(StructureFormats, WriteAnyBoxForLammps) {
   turned.atoms.box.cell.col(0) *= -1.0;
   turned.atoms.box.periodic = {true, true, true};
   const auto path = folder.path() / "turned.data";
-  write_structure(path, turned, {.digits = Digits::seventeen_significant});
+  const std::vector<std::string> notes =
+      write_structure(path, turned, {.digits = Digits::seventeen_significant});
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_NE(notes[0].find("rotated"), std::string::npos);
+  EXPECT_NE(notes[1].find("cell vectors"), std::string::npos);
+  EXPECT_TRUE(write_structure(folder.path() / "turned.extxyz", turned).empty());
   EXPECT_NE(content_of(path).find("rotated by"), std::string::npos);
   EXPECT_NEAR(shell::evaluate(shell::read_structure(path).structure).energy.energy,
               shell::evaluate(turned).energy.energy, 1e-9);

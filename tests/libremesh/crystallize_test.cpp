@@ -223,6 +223,13 @@ TEST(CrystallizeNet, IsWholeWhenStoppedEarly) {
   }
 }
 
+TEST(CrystallizeNet, ThrowsWhenStoppedBeforeItIsThere) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  CrystalOptions options = quick(0.15);
+  options.should_stop = [] { return true; };
+  EXPECT_THROW(static_cast<void>(crystallize(torus, options)), Stopped);
+}
+
 TEST(CrystallizeNet, ReportsProgressToTheEnd) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
   CrystalOptions options = quick(0.15);

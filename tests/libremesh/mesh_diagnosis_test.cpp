@@ -26,7 +26,7 @@ TriangleSoup soup_of(const TriMesh& mesh) {
 }
 
 /// The only finding, if it is of the kind and count expected.
-Place only_place(const MeshDiagnosis& diagnosis, Problem problem, std::size_t count = 1) {
+ProblemPlace only_place(const MeshDiagnosis& diagnosis, Problem problem, std::size_t count = 1) {
   EXPECT_EQ(diagnosis.findings.size(), 1u);
   if (diagnosis.findings.empty()) return {};
   EXPECT_EQ(diagnosis.findings[0].problem, problem) << name_of(diagnosis.findings[0].problem);
@@ -50,7 +50,7 @@ TEST(Diagnose, FindsNothingWrongWithSoundMeshes) {
 TEST(Diagnose, FindsIsolatedPoints) {
   TriangleSoup soup = soup_of(tetrahedron());
   soup.points.emplace_back(7, 8, 9);
-  const Place place = only_place(diagnose(soup), Problem::isolated_point);
+  const ProblemPlace place = only_place(diagnose(soup), Problem::isolated_point);
   EXPECT_EQ(place.elements, std::vector{4});
   EXPECT_EQ(place.position, Eigen::Vector3d(7, 8, 9));
 }
@@ -166,7 +166,7 @@ TEST(FindCrossingFaces, CountsUpToALimit) {
   }
   // Two million pairs.
   EXPECT_EQ(find_crossing_faces(fan_of_crossing_faces(2001)).count,
-            static_cast<std::size_t>(most_crossing_pairs));
+            static_cast<std::size_t>(max_crossing_pairs));
 }
 
 TEST(FindCrossingFaces, SeesThatTornFacesOnlyTouch) {

@@ -164,6 +164,20 @@ TEST(Remesh, ReportsProgressAfterEveryIteration) {
   EXPECT_EQ(result.iterations, 3);
 }
 
+TEST(Remesh, ReturnsTheNetSoFarWhenStopped) {
+  const TriMesh torus = make_shape("torus", {}, 0.16);
+  RemeshOptions options{.target_edge_length = 0.15};
+  int done = 0;
+  options.on_progress = [&](const RemeshProgress& progress) { done = progress.iteration; };
+  options.should_stop = [&] { return done == 3; };
+  const RemeshResult result = remesh(torus, options);
+  EXPECT_TRUE(result.stopped);
+  EXPECT_EQ(result.iterations, 3);
+  EXPECT_TRUE(testing_support::is_closed(result.mesh));
+  options.should_stop = [] { return true; };
+  EXPECT_THROW(static_cast<void>(remesh(torus, options)), Stopped);
+}
+
 TEST(Remesh, ThrowsOnAnEmptyMesh) {
   EXPECT_THROW((void)remesh(TriMesh(), {.target_edge_length = 1.0}), InvalidMesh);
 }

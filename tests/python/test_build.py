@@ -143,9 +143,25 @@ def test_an_interrupt_raises_or_keeps_the_best_so_far() -> None:
     with pytest.raises(KeyboardInterrupt):
         trivalent.build("torus", atoms=20000, effort="thorough")
     timer.join()
-    timer = interrupt_soon()
-    shell = trivalent.build("torus", atoms=20000, effort="thorough", on_interrupt="keep")
-    timer.join()
+
+    timers: list[threading.Timer] = []
+
+    def interrupt(*_: object) -> None:  # once there is a net to keep
+        if not timers:
+            timers.append(interrupt_soon())
+
+    shell = trivalent.build("torus", atoms=20000, effort="thorough", on_interrupt="keep", progress=interrupt)
     assert any("stopped" in note for note in shell.notes)
+
+
+def test_an_interrupt_before_the_first_net_raises() -> None:
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        trivalent.build("torus", atoms=1000000, on_interrupt="keep")
+    timer.join()
+
+
+def test_other_interrupts_are_refused() -> None:
     with pytest.raises(trivalent.InvalidOption, match="raise or keep"):
         trivalent.build("torus", on_interrupt="other")  # type: ignore[arg-type]

@@ -25,9 +25,9 @@ class global_control {
   ~global_control() { threads_ = before_; }
   global_control(const global_control&) = delete;
   global_control& operator=(const global_control&) = delete;
-  static constexpr std::size_t most_threads = 8;
+  static constexpr std::size_t max_threads = 8;
   static int threads() {
-    return static_cast<int>(std::clamp<std::size_t>(threads_, 1, most_threads));
+    return static_cast<int>(std::clamp<std::size_t>(threads_, 1, max_threads));
   }
 
  private:
@@ -135,7 +135,7 @@ class enumerable_thread_specific {
   }
 
  private:
-  std::array<std::unique_ptr<Value>, global_control::most_threads + 1> values_;
+  std::array<std::unique_ptr<Value>, global_control::max_threads + 1> values_;
 };
 
 }  // namespace tbb

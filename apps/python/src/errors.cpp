@@ -21,6 +21,8 @@ void translate(const std::exception_ptr& pointer) {
     raise("InvalidArray", error);
   } catch (const WrongOption& error) {
     raise("InvalidOption", error);
+  } catch (const remesh::Stopped& error) {
+    PyErr_SetString(PyExc_KeyboardInterrupt, error.what());
   } catch (const remesh::InvalidOption& error) {
     raise("InvalidOption", error);
   } catch (const dual::InvalidOption& error) {

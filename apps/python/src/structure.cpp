@@ -166,7 +166,9 @@ py::tuple read(const std::filesystem::path& path, const py::dict& values) {
   return py::make_tuple(std::make_shared<Structure>(std::move(file.structure)), file.notes);
 }
 
-void write(const Structure& structure, const std::filesystem::path& path, const py::dict& values) {
+/// @return  What the format changes.
+std::vector<std::string> write(const Structure& structure, const std::filesystem::path& path,
+                               const py::dict& values) {
   const Options given(values);
   dual::WriteOptions options;
   given.set("digits", options.digits, shell::digits_names);
@@ -178,7 +180,7 @@ void write(const Structure& structure, const std::filesystem::path& path, const 
     throw WrongOption("cannot write '" + path.string() + "': its extension must be one of" + known);
   }
   const py::gil_scoped_release released;
-  dual::write_structure(path, structure, options);
+  return dual::write_structure(path, structure, options);
 }
 
 }  // namespace

@@ -158,13 +158,15 @@ class Shell:
 
     def write(
         self, path: str | os.PathLike[str], *, digits: _Digits = "decimals", atom_style: _AtomStyle = "atomic"
-    ) -> None:
+    ) -> list[str]:
         """Writes the atoms [Å, eV] into a file, by extension: .extxyz, .xyz or .data (LAMMPS).
 
         digits: "decimals" for ten decimals, "17" for 17 significant digits, which keep every bit
         atom_style: of LAMMPS data: "atomic", or "molecular" with the bonds
+
+        Returns notes on what the format changes, such as a rotation to LAMMPS's frame; usually none.
         """
-        _core.write(self._core, os.fspath(path), {"digits": digits, "atom_style": atom_style})
+        return _core.write(self._core, os.fspath(path), {"digits": digits, "atom_style": atom_style})
 
     def to_ase(self) -> _ase.Atoms:
         """ASE's Atoms [Å] with all columns as arrays; energy [eV] and forces [eV/Å] in a calculator."""

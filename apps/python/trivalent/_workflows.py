@@ -72,7 +72,7 @@ def build(
     relax: bring the atoms to rest under REBO; False: they stay where the dual puts them
     progress: None shows a bar to people (terminal, notebook), False never, True always; or a function of
         (step, done, total or None, text), which ends the call by returning False
-    on_interrupt: what Ctrl-C does: "raise" KeyboardInterrupt, or "keep": return the best so far
+    on_interrupt: what Ctrl-C does: "raise" KeyboardInterrupt, or "keep": return the best so far, if there is a net
     """
     options = _given(locals())
     watch = _core.Watch(progress_function(progress), on_interrupt)

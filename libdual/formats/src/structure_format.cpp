@@ -40,11 +40,28 @@ std::string rotation_text(const Eigen::Matrix3d& rotation) {
   return text;
 }
 
-void write_data(std::ostream& out, const Structure& structure, const WriteOptions& options) {
+std::vector<std::string> write_extended_xyz(std::ostream& out, const Structure& structure,
+                                            const WriteOptions& options) {
+  write_xyz(out, structure, options.digits);
+  return {};
+}
+
+std::vector<std::string> write_data(std::ostream& out, const Structure& structure,
+                                    const WriteOptions& options) {
+  std::vector<std::string> notes;
   LammpsDataOptions data = {.style = options.atom_style, .digits = options.digits};
   LammpsFrame frame = lammps_frame(structure.atoms);
-  if (frame.is_rotated()) data.title += ", rotated by " + rotation_text(frame.rotation);
+  if (frame.is_rotated()) {
+    data.title += ", rotated by " + rotation_text(frame.rotation);
+    notes.emplace_back(
+        "the atoms were rotated to the frame of LAMMPS; the title of the file "
+        "gives the rotation");
+  }
+  if (!frame.combination.isIdentity(0.0)) {
+    notes.emplace_back("the cell vectors were replaced by equivalent ones that LAMMPS takes");
+  }
   write_lammps_data(out, {.atoms = std::move(frame.atoms), .bonds = structure.bonds}, data);
+  return notes;
 }
 
 }  // namespace
@@ -54,8 +71,7 @@ std::vector<StructureFormat>& structure_formats() {
       {.name = "extxyz",
        .extensions = {".extxyz", ".xyz"},
        .read = read_xyz,
-       .write = [](std::ostream& out, const Structure& structure,
-                   const WriteOptions& options) { write_xyz(out, structure, options.digits); }},
+       .write = write_extended_xyz},
       {.name = "lammps-data",
        .extensions = {".data", ".lmp", ".lammps-data"},
        .prefixes = {"data."},
@@ -97,23 +113,25 @@ std::vector<std::string> structure_extensions() {
   return extensions;
 }
 
-void write_structure(const std::filesystem::path& path, const Structure& structure,
-                     const WriteOptions& options) {
+std::vector<std::string> write_structure(const std::filesystem::path& path,
+                                         const Structure& structure, const WriteOptions& options) {
   const StructureFormat* format = find_structure_format(path);
   if (format == nullptr || format->write == nullptr) {
     throw InvalidOption(
         concat("write_structure: no format of atoms has the name of ", path.string()));
   }
+  std::vector<std::string> notes;
   remesh::write_whole_file(path, [&](std::ostream& file) {
     if (!is_compressed(path)) {
-      format->write(file, structure, options);
+      notes = format->write(file, structure, options);
       return;
     }
     GzipBuffer buffer(file);
     std::ostream out(&buffer);
-    format->write(out, structure, options);
+    notes = format->write(out, structure, options);
     buffer.finish();
   });
+  return notes;
 }
 
 }  // namespace trivalent::dual

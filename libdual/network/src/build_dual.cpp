@@ -8,13 +8,6 @@
 namespace trivalent::dual {
 namespace {
 
-std::vector<Eigen::Vector3d> centroids(const remesh::TriMesh& mesh) {
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(mesh.n_faces());
-  for (const auto face : mesh.faces()) positions.push_back(mesh.calc_face_centroid(face));
-  return positions;
-}
-
 std::vector<potentials::Bond> bonds_across_edges(const remesh::TriMesh& mesh) {
   std::vector<potentials::Bond> bonds;
   bonds.reserve(mesh.n_edges());
@@ -52,7 +45,7 @@ Structure build_dual(const remesh::TriMesh& mesh) {
     throw InvalidNetwork("build_dual: the mesh has no faces; atoms need them");
   // Member by member: gcc 12 destroys a nested initializer twice if a later one throws.
   Structure structure;
-  structure.atoms.positions = centroids(mesh);
+  structure.atoms.positions = remesh::face_centroids(mesh);
   structure.atoms.species.assign(mesh.n_faces(), potentials::Species::carbon);
   structure.bonds = bonds_across_edges(mesh);
   structure.rings = rings_around_vertices(mesh);

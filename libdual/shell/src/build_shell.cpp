@@ -14,9 +14,6 @@ namespace {
 
 using remesh::TriMesh;
 
-/// Area of an equilateral triangle of edge 1.
-const double unit_face_area = std::sqrt(3.0) / 4.0;
-
 void check_options(const TriMesh& mesh, const ShellOptions& options) {
   if (mesh.n_faces() == 0) throw InvalidNetwork("build_shell: the mesh has no faces");
   if (!std::isfinite(options.bond) || options.bond <= 0.0) {
@@ -46,8 +43,11 @@ double given_scale(const TriMesh& mesh, const ShellSize& size) {
                          : scale_for_size(mesh, std::get<Scale>(size));
 }
 
-/// The first remeshing finds the edge length for the second, which usually fits.
-constexpr int usual_remeshings = 2;
+/// Remeshings that usually meet a number of atoms. The search for a crystal meets it by itself; the
+/// paper's loop finds the edge length for a second one.
+int usual_remeshings(const remesh::RemeshMethod& method) {
+  return std::holds_alternative<remesh::CrystalOptions>(method) ? 1 : 2;
+}
 
 /// Counts the progress of several remeshings as one.
 class SharedProgress {
@@ -60,7 +60,7 @@ class SharedProgress {
     const auto count = [this, done = done_](remesh::RemeshProgress state) {
       const int per_remeshing = state.iterations;
       state.iteration += done * per_remeshing;
-      state.iterations = per_remeshing * std::max(usual_remeshings, done + 1);
+      state.iterations = per_remeshing * std::max(usual_remeshings(method_), done + 1);
       report(state);
     };
     std::visit(
@@ -100,9 +100,9 @@ void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
 void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms, Shell& shell) {
   // Edges come out a little off their target, and chords of a curved surface cut its area.
   constexpr int max_remeshings = 3;
-  double target = std::sqrt(remesh::surface_area(mesh) / (unit_face_area * atoms));
+  double target = std::sqrt(remesh::surface_area(mesh) / (remesh::unit_triangle_area * atoms));
   SharedProgress progress(options.method);
-  double least_miss = std::numeric_limits<double>::infinity();
+  double smallest_miss = std::numeric_limits<double>::infinity();
   while (true) {
     remesh::RemeshResult surface;
     try {
@@ -116,8 +116,8 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
     const double ratio = static_cast<double>(surface.mesh.n_faces()) / atoms;
     const double miss = std::abs(ratio - 1.0);
     // Where a part of the surface is lost at one length and kept at the next, the last is not best.
-    if (miss < least_miss) {
-      least_miss = miss;
+    if (miss < smallest_miss) {
+      smallest_miss = miss;
       shell.surface = std::move(surface);
       shell.target_edge_length = target;
     }
@@ -141,12 +141,13 @@ ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
   ShellEstimate estimate;
   if (const auto* count = std::get_if<AtomCount>(&options.size)) {
     estimate.atoms = count->atoms;
-    estimate.edge_length = std::sqrt(area / (unit_face_area * estimate.atoms));
+    estimate.edge_length = std::sqrt(area / (remesh::unit_triangle_area * estimate.atoms));
     estimate.scale = edge_length_for_bond(options.bond) / estimate.edge_length;
   } else {
     estimate.scale = given_scale(mesh, options.size);
     estimate.edge_length = edge_length_for_bond(options.bond) / estimate.scale;
-    estimate.atoms = area / (unit_face_area * estimate.edge_length * estimate.edge_length);
+    estimate.atoms =
+        area / (remesh::unit_triangle_area * estimate.edge_length * estimate.edge_length);
   }
   return estimate;
 }

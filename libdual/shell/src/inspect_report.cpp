@@ -15,17 +15,17 @@ std::string vector_text(const Eigen::Vector3d& p) {
   return "(" + significant(p.x()) + ", " + significant(p.y()) + ", " + significant(p.z()) + ")";
 }
 
-Json places_json(const std::vector<remesh::Place>& places) {
+Json places_json(const std::vector<remesh::ProblemPlace>& places) {
   Json json = Json::array();
-  for (const remesh::Place& place : places) {
+  for (const remesh::ProblemPlace& place : places) {
     json.push_back({{"elements", place.elements}, {"position", vector_json(place.position)}});
   }
   return json;
 }
 
-std::string places_text(const std::vector<remesh::Place>& places) {
+std::string places_text(const std::vector<remesh::ProblemPlace>& places) {
   std::ostringstream text;
-  for (const remesh::Place& place : places) {
+  for (const remesh::ProblemPlace& place : places) {
     if (&place != &places.front()) text << "; ";
     for (std::size_t k = 0; k < place.elements.size(); ++k) {
       text << (k > 0 ? "-" : "") << place.elements[k];

@@ -54,8 +54,7 @@ double seconds_of(double atoms, double input_faces, const remesh::MeshComponents
          per_atom_and_step * (is_paper ? steps_of_paper : steps_of_crystal) * atoms;
 }
 
-/// An atom more would not have an index.
-constexpr double max_atoms = 2e7;
+constexpr double max_atoms = remesh::max_faces;  // an atom per face
 
 void find_obstacles(const remesh::MeshComponents& components, Plan& plan) {
   if (plan.shell.atoms > max_atoms) {

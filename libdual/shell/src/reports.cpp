@@ -61,7 +61,7 @@ Json quality_json(const remesh::MeshQuality& quality) {
           {"smallest_angle_degrees", degrees(quality.smallest_angle)},
           {"largest_angle_degrees", degrees(quality.largest_angle)},
           {"self_intersections", quality.self_intersections},
-          {"self_intersections_are_all", quality.self_intersections < remesh::most_crossing_pairs}};
+          {"self_intersections_are_all", quality.self_intersections < remesh::max_crossing_pairs}};
 }
 
 Json components_json(const remesh::MeshComponents& components) {
@@ -135,7 +135,7 @@ std::vector<TableRow> net_rows(const remesh::RemeshResult& net) {
 }
 
 std::string crossings_text(int pairs) {
-  return std::to_string(pairs) + (pairs < remesh::most_crossing_pairs ? "" : " or more");
+  return std::to_string(pairs) + (pairs < remesh::max_crossing_pairs ? "" : " or more");
 }
 
 std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
@@ -156,11 +156,11 @@ std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality) {
 }
 
 std::vector<TableRow> components_rows(const remesh::MeshComponents& components) {
-  constexpr std::size_t most_rows = 10;
+  constexpr std::size_t max_rows = 10;
   const std::size_t count = components.parts.size();
   if (count < 2) return {};
   std::vector<TableRow> rows;
-  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
+  for (std::size_t i = 0; i < std::min(count, max_rows); ++i) {
     const remesh::MeshComponent& part = components.parts[i];
     rows.push_back({"component " + std::to_string(i),
                     std::to_string(part.faces) + " faces, " +
@@ -168,7 +168,7 @@ std::vector<TableRow> components_rows(const remesh::MeshComponents& components) 
                         std::to_string(part.euler_characteristic()) +
                         (part.inside_of ? ", inside of " + std::to_string(*part.inside_of) : "")});
   }
-  if (count > most_rows) rows.push_back({"...", std::to_string(count - most_rows) + " more"});
+  if (count > max_rows) rows.push_back({"...", std::to_string(count - max_rows) + " more"});
   return rows;
 }
 

@@ -52,7 +52,7 @@ remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions&
   coarse_plan.require_feasible();  // before so many triangles are made
   const double n_faces = std::max(min_faces, faces_per_atom * coarse_plan.shell.atoms);
   const double edge_length =
-      std::sqrt(4.0 / std::sqrt(3.0) * remesh::surface_area(coarse) / n_faces);
+      std::sqrt(1.0 / remesh::unit_triangle_area * remesh::surface_area(coarse) / n_faces);
   return remesh::make_shape(call.name, call.arguments, edge_length);
 }
 

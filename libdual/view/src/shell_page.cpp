@@ -77,14 +77,14 @@ struct Shown {
 Shown shown_atoms(const ShellState& state) {
   Shown shown;
   const std::size_t n_atoms = state.structure.atoms.size();
-  if (n_atoms <= most_page_atoms) {
+  if (n_atoms <= max_page_atoms) {
     shown.atoms.resize(n_atoms);
     std::iota(shown.atoms.begin(), shown.atoms.end(), 0);
     return shown;
   }
   shown.is_sample = true;
-  const double step = static_cast<double>(n_atoms) / static_cast<double>(most_page_atoms);
-  for (std::size_t i = 0; i < most_page_atoms; ++i) {
+  const double step = static_cast<double>(n_atoms) / static_cast<double>(max_page_atoms);
+  for (std::size_t i = 0; i < max_page_atoms; ++i) {
     shown.atoms.push_back(static_cast<int>(std::floor(step * static_cast<double>(i))));
   }
   if (const AtomMap* energy = state.find("energy")) {
@@ -217,7 +217,7 @@ Json json_page(const ShellPage& page) {
                {"states", Json::array()}};
   for (const ShellState& state : page.states) json["states"].push_back(json_state(state, page));
   if (!page.surface) return json;
-  if (page.surface->n_faces() <= most_ghost_faces) {
+  if (page.surface->n_faces() <= max_ghost_faces) {
     json["surface"] = json_surface(*page.surface);
   } else {
     json["notes"].push_back(concat("the input surface has ", page.surface->n_faces(),

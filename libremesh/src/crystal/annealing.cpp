@@ -33,6 +33,10 @@ constexpr std::array<Trial, 4> trials = {
     {{3, 2, 0.1}, {2, patch_rings, 0.03}, {2, patch_rings, 0.01}, {2, patch_rings, 0.0}}};
 /// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
 constexpr int max_new_disorder = 2;
+/// λ of the energy λ x² for x vertices more than wanted, and how steeply it may rise: a net that is
+/// far off must not be torn.
+constexpr double count_stiffness = 0.01;
+constexpr double max_count_slope = 0.1;
 constexpr double min_gain = 1e-4;          // at temperature 0, so that rounding errors move nothing
 constexpr int rounds_per_relaxation = 10;  // 20 leave edges of a third of the length in thin parts
 constexpr int sweeps_per_relaxation = 4;
@@ -43,6 +47,8 @@ struct Decision {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Anchor> anchors;
   std::vector<MotionFrame> frames;
+  double spare = 0.0;  // by which the limit of Metropolis' rule is above its energy
+  int added = 0;       // vertices
 };
 
 class Annealing {
@@ -64,7 +70,7 @@ class Annealing {
       tbb::parallel_for(std::size_t{0}, sites.size(),
                         [&](std::size_t i) { decisions[i] = decide(sites[i]); });
       for (const Decision& decision : decisions) {
-        if (!decision.patch) continue;
+        if (!decision.patch || rise_of_count(decision.added) > decision.spare) continue;
         apply(decision);
         ++moves;
       }
@@ -84,6 +90,14 @@ class Annealing {
     mesh_.garbage_collection();
     deviations_ = valence_deviations(mesh_);
     frames_ = motion_frames(constrained_);
+    if (options_.wanted_vertices)
+      excess_ = static_cast<int>(mesh_.n_vertices()) - *options_.wanted_vertices;
+  }
+
+  [[nodiscard]] double rise_of_count(int added) const {
+    if (!options_.wanted_vertices || added == 0) return 0.0;
+    const double slope = count_stiffness * (2.0 * excess_ + added);
+    return added * std::clamp(slope, -max_count_slope, max_count_slope);
   }
 
   [[nodiscard]] double energy_of(const NetPatch& patch) const {
@@ -104,17 +118,20 @@ class Annealing {
     NetPatch patch = start;
     for (const DefectMove& move : shuffled_moves(start.topology().valence(0), random)) {
       random = hashed(random, 1);
-      const double most = largest_rise(uniform(random));
+      const int added = move.added_vertices();
+      const double limit = energy + largest_rise(uniform(random)) - rise_of_count(added);
       patch = start;
       if (!make_move(patch, patch.topology(), move) ||
           patch.topology().disorder() > disorder + max_new_disorder)
         continue;
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
         patch.relax(options_.length, trial.sweeps, start.topology().count_within(trial.rings));
-        return energy_of(patch) - energy > most + trial.hopeless;
+        return energy_of(patch) > limit + trial.hopeless;
       });
       if (is_hopeless || patch.steep_corners() > max_steep) continue;
       decision.patch = patch;
+      decision.added = added;
+      decision.spare = limit - energy_of(patch) + rise_of_count(added);
       project(decision);
       if (decision.patch->steep_corners() > max_steep) decision.patch.reset();
       break;
@@ -151,6 +168,7 @@ class Annealing {
   void apply(const Decision& decision) {
     const NetPatch& patch = *decision.patch;
     const std::vector<VertexHandle> vertices = change_connectivity(constrained_, patch.topology());
+    excess_ += decision.added;
     deviations_.resize(mesh_.n_vertices(), 0);
     frames_.resize(mesh_.n_vertices());
     for (int i = 0; i < patch.topology().inner_count(); ++i) {
@@ -169,6 +187,7 @@ class Annealing {
   const AnnealingOptions& options_;
   std::vector<int> deviations_;
   std::vector<MotionFrame> frames_;
+  int excess_ = 0;  // vertices more than wanted
   double temperature_ = 0.0;
   std::uint64_t seed_ = 0;
   tbb::enumerable_thread_specific<PatchMarks> marks_;

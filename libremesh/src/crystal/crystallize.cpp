@@ -19,22 +19,26 @@ bool is_open(const TriMesh& mesh) {
   return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
-/// The net of the membrane where that is better, or else that of springs.
-FoundNet search(const SearchSurface& surface, const CrystalOptions& options, SearchWatch& watch) {
+/// The net of the membrane where that is better, or else that of springs; none if the search was
+/// stopped before.
+std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOptions& options,
+                               SearchWatch& watch) {
   const bool has_curves =
       is_open(surface.mesh) || std::ranges::find(surface.creases, true) != surface.creases.end();
   // On the surface a net without scars has unequal edges: 6.7 % instead of 4 % on a sphere.
   if (has_curves || options.rest == NetRest::on_surface)
     return search_springs(surface, options, watch);
   std::optional<FoundNet> membrane = search_membrane(surface, options, watch);
+  if (watch.stopped()) return membrane;
   if (!membrane) return search_springs(surface, options, watch);
   const double m = options.target_edge_length;
   const Flaws flaws = find_flaws(membrane->mesh, surface.mesh, m, max_reach);
   const bool is_sound = flaws.left_out == 0.0 && flaws.crossings <= count_crossings(surface.mesh);
-  if (is_sound || watch.stopped()) return std::move(*membrane);
-  FoundNet springs = search_springs(surface, options, watch);
-  const Flaws other = find_flaws(springs.mesh, surface.mesh, m, max_reach);
-  return other.sum() < flaws.sum() ? std::move(springs) : std::move(*membrane);
+  if (is_sound) return membrane;
+  std::optional<FoundNet> springs = search_springs(surface, options, watch);
+  if (!springs) return membrane;
+  const Flaws other = find_flaws(springs->mesh, surface.mesh, m, max_reach);
+  return other.sum() < flaws.sum() ? std::move(springs) : std::move(membrane);
 }
 
 }  // namespace
@@ -57,15 +61,16 @@ RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
   const TriMesh surface = with_edges_divided(mesh, options.target_edge_length);
   const Creases creases = find_creases(surface, options.feature_angle);
   SearchWatch watch(options);
-  FoundNet net = search({surface, creases}, options, watch);
-  const RemeshProgress state = measure_progress(net.mesh);
+  std::optional<FoundNet> net = search({surface, creases}, options, watch);
+  if (!net) throw Stopped("crystallize: stopped before there was a net");
+  const RemeshProgress state = measure_progress(net->mesh);
   RemeshResult result;
-  result.mesh = std::move(net.mesh);
+  result.mesh = std::move(net->mesh);
   result.iterations = watch.rounds_done();
   result.relative_spread = state.relative_spread;
   result.regular_fraction = state.regular_fraction;
   result.stopped = watch.stopped();
-  result.coarse_start = net.coarse_start;
+  result.coarse_start = net->coarse_start;
   return result;
 }
 

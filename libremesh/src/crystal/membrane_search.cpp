@@ -120,9 +120,9 @@ class MembraneSearch {
       if (coarseness == 4 && vertices < 16.0 * min_vertices_at_4) continue;
       const double length = coarseness * Membrane::fine_length;
       const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
-      const std::unique_ptr<Net> net =
-          coarse_starting_net(inflated_surface.value_or(surface_), creases_, area_,
-                              {.length = length, .effort = options_.effort});
+      const std::unique_ptr<Net> net = coarse_starting_net(
+          inflated_surface.value_or(surface_), creases_, area_, starting_options(length));
+      if (watch_.stopped()) return std::nullopt;
       if (!net) continue;
       net_.on_surface.restore(net->on_surface.state());
       return level;
@@ -130,10 +130,15 @@ class MembraneSearch {
     // Small nets need no coarse one; thin ones would cross themselves.
     constexpr double max_vertices_of_small = 1500.0;
     if (vertices > max_vertices_of_small) return std::nullopt;
-    const std::unique_ptr<Net> net = starting_net(
-        surface_, creases_, {.length = Membrane::fine_length, .effort = options_.effort});
+    const std::unique_ptr<Net> net =
+        starting_net(surface_, creases_, starting_options(Membrane::fine_length));
+    if (!net) return std::nullopt;
     net_.on_surface.restore(net->on_surface.state());
     return levels.size() - 1;
+  }
+
+  [[nodiscard]] StartingNetOptions starting_options(double length) const {
+    return {.length = length, .effort = options_.effort, .should_stop = watch_.question()};
   }
 
   [[nodiscard]] Membrane membrane_at(const Level& level) const {
@@ -153,12 +158,7 @@ class MembraneSearch {
   [[nodiscard]] int wanted_vertices(const Level& level) const {
     const double face_area = unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
     const double faces = area_ / face_area / (level.coarseness * level.coarseness);
-    // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
-    const auto boundary =
-        std::ranges::count_if(net_.mesh.edges(), [](const auto e) { return e.is_boundary(); });
-    const int euler = static_cast<int>(net_.mesh.n_vertices()) -
-                      static_cast<int>(net_.mesh.n_edges()) + static_cast<int>(net_.mesh.n_faces());
-    return euler + static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
+    return vertices_for_faces(net_.mesh, faces);
   }
 
   [[nodiscard]] int searches_for(const TriMesh& first_net) const {

@@ -10,7 +10,8 @@ namespace trivalent::remesh {
 /// target length if the surface is thick and large enough, or at twice; then divided and annealed
 /// colder at half the length each time. Its vertices are where the membrane is at rest.
 ///
-/// @return  Nothing where the surface is too thin for a net of twice the target length.
+/// @return  Nothing where the surface is too thin for a net of twice the target length, or if the
+///   search was stopped before there was a net.
 [[nodiscard]] std::optional<FoundNet> search_membrane(const SearchSurface& surface,
                                                       const CrystalOptions& options,
                                                       SearchWatch& watch);

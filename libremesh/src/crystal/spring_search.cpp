@@ -18,13 +18,15 @@ namespace {
 
 /// One annealing, at one edge length.
 struct Stage {
+  int coarseness;  ///< edges in target lengths
   double first_temperature;
   double core_energy;
   int rounds;
 };
 
 /// At twice the target length the net orders as a whole: hot, slow, and cheap, as vertices are few.
-constexpr Stage coarse_stage = {.first_temperature = 0.1, .core_energy = 0.0, .rounds = 1600};
+constexpr Stage coarse_stage = {
+    .coarseness = 2, .first_temperature = 0.1, .core_energy = 0.0, .rounds = 1600};
 /// How a net freezes is luck, which averages out in a large one: the coarse net is annealed as
 /// often as makes this many vertices in all, and the best is taken.
 constexpr int searched_vertices = 6000;
@@ -32,9 +34,11 @@ constexpr int max_searches = 4;
 constexpr std::size_t max_refined = 2;  // of these, if the best ends up crossing itself
 /// At the target length defects only find their places, and pairs that cost more than they relieve
 /// vanish.
-constexpr Stage fine_stage = {.first_temperature = 0.03, .core_energy = 0.03, .rounds = 300};
+constexpr Stage fine_stage = {
+    .coarseness = 1, .first_temperature = 0.03, .core_energy = 0.03, .rounds = 300};
 /// At the target length without a coarse stage before.
-constexpr Stage only_stage = {.first_temperature = 0.1, .core_energy = 0.03, .rounds = 800};
+constexpr Stage only_stage = {
+    .coarseness = 1, .first_temperature = 0.1, .core_energy = 0.03, .rounds = 800};
 
 constexpr int valence_rounds = 20;   // that mend the last valences outside 5 to 7
 constexpr int closing_sweeps = 200;  // of the springs, once defects are at rest
@@ -105,21 +109,22 @@ class SpringSearch {
         area_(surface_area(surface_)),
         crossings_of_surface_(count_crossings(surface_)) {}
 
-  FoundNet run() {
+  std::optional<FoundNet> run() {
     std::unique_ptr<Net> net = from_coarse_net();
     bool coarse_start = net != nullptr;
     if (!net) {
-      net = from_fine_net();
+      if (!watch_.stopped()) net = from_fine_net();
+      if (!net) return std::nullopt;
     } else if (!watch_.stopped() && are_new(count_crossings(net->mesh))) {
       // Some thin part was still too thin for the coarse net. But a net without crossings may have
       // lost that part.
       std::unique_ptr<Net> other = from_fine_net();
-      if (flaws(other->mesh).sum() < flaws(net->mesh).sum()) {
+      if (other && flaws(other->mesh).sum() < flaws(net->mesh).sum()) {
         net = std::move(other);
         coarse_start = false;
       }
     }
-    return {std::move(net->mesh), coarse_start};
+    return FoundNet{std::move(net->mesh), coarse_start};
   }
 
  private:
@@ -139,7 +144,7 @@ class SpringSearch {
     auto net = std::make_unique<Net>(surface_, creases_);
     const TriMesh room = inflated(net->on_surface, thinnest_for_coarse * m).value_or(surface_);
     std::unique_ptr<Net> coarse =
-        coarse_starting_net(room, creases_, area_, {.length = 2.0 * m, .effort = options_.effort});
+        coarse_starting_net(room, creases_, area_, starting_options(2.0 * m));
     if (!coarse) return nullptr;
     net->on_surface.stay_on_sheets(sheet_reach * m);
     const double coarse_length =
@@ -201,9 +206,12 @@ class SpringSearch {
     finish(net);
   }
 
+  /// Null if the search was stopped before there was a net.
   std::unique_ptr<Net> from_fine_net() {
     const double m = options_.target_edge_length;
-    std::unique_ptr<Net> net = annealed_fine_net(first_net(surface_));
+    std::unique_ptr<Net> net = first_net(surface_);
+    if (!net) return nullptr;
+    net = annealed_fine_net(std::move(net));
     const Flaws flaws_of_net = flaws(net->mesh);
     const double accepted = max_flawed_fraction * static_cast<double>(net->mesh.n_faces());
     if (watch_.stopped() || flaws_of_net.left_out <= accepted) return net;
@@ -211,7 +219,9 @@ class SpringSearch {
     auto other = std::make_unique<Net>(surface_, creases_);
     const auto room = inflated(other->on_surface, thinnest_for_fine * m);
     if (!room) return net;
-    other->on_surface.restore(carried_over(first_net(*room)->on_surface.state(), *room, surface_));
+    const std::unique_ptr<Net> first = first_net(*room);
+    if (!first) return net;
+    other->on_surface.restore(carried_over(first->on_surface.state(), *room, surface_));
     other->on_surface.stay_on_sheets(sheet_reach * m);
     other = annealed_fine_net(std::move(other));
     return flaws(other->mesh).is_better_than(flaws_of_net) ? std::move(other) : std::move(net);
@@ -237,8 +247,17 @@ class SpringSearch {
   void finish(Net& net) const { finish_on_surface(net, options_, crossings_of_surface_, watch_); }
 
   [[nodiscard]] std::unique_ptr<Net> first_net(const TriMesh& surface) const {
-    return starting_net(surface, creases_,
-                        {.length = options_.target_edge_length, .effort = options_.effort});
+    return starting_net(surface, creases_, starting_options(options_.target_edge_length));
+  }
+
+  [[nodiscard]] StartingNetOptions starting_options(double length) const {
+    return {.length = length, .effort = options_.effort, .should_stop = watch_.question()};
+  }
+
+  /// Vertices of a net that comes to the faces of the target length by divisions.
+  [[nodiscard]] int wanted_vertices(const TriMesh& net, int coarseness) const {
+    const double length = coarseness * options_.target_edge_length;
+    return vertices_for_faces(net, area_ / (unit_triangle_area * length * length));
   }
 
   [[nodiscard]] int rounds_of(const Stage& stage) const {
@@ -266,8 +285,8 @@ class SpringSearch {
                             .core_energy = stage.core_energy,
                             .first_temperature = stage.first_temperature,
                             .rounds = rounds_of(stage),
+                            .wanted_vertices = wanted_vertices(net.mesh, stage.coarseness),
                             .seed = next_seed(),
-
                             .after_round = [&](int) { return watch_.goes_on(net.mesh, length); }});
   }
 
@@ -295,8 +314,8 @@ Flaws find_flaws(const TriMesh& net, const TriMesh& surface, double m, double re
   return {count_crossings(net), area / (unit_triangle_area * m * m)};
 }
 
-FoundNet search_springs(const SearchSurface& surface, const CrystalOptions& options,
-                        SearchWatch& watch) {
+std::optional<FoundNet> search_springs(const SearchSurface& surface, const CrystalOptions& options,
+                                       SearchWatch& watch) {
   return SpringSearch(surface, options, watch).run();
 }
 

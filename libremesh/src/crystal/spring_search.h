@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "crystal/search_watch.h"
 #include "crystal/starting_net.h"
 
@@ -21,8 +23,11 @@ struct SearchSurface {
 /// length where there is room, then divided and annealed at the target length. For surfaces on
 /// which a membrane is not better: open ones, those with creases, and parts too thin for a net of
 /// twice the length.
-[[nodiscard]] FoundNet search_springs(const SearchSurface& surface, const CrystalOptions& options,
-                                      SearchWatch& watch);
+///
+/// @return  Nothing if the search was stopped before there was a net.
+[[nodiscard]] std::optional<FoundNet> search_springs(const SearchSurface& surface,
+                                                     const CrystalOptions& options,
+                                                     SearchWatch& watch);
 
 /// What is wrong with a net, in faces.
 struct Flaws {

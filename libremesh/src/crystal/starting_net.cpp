@@ -7,6 +7,7 @@
 #include "crystal/thin_parts.h"
 #include "equalize/paper_loop.h"
 #include "mesh/geometry.h"
+#include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 
@@ -26,9 +27,9 @@ constexpr double sheet_reach = 0.1;
 constexpr int min_coarse_vertices = 150;
 
 RemeshOptions paper_options(const StartingNetOptions& options) {
-  return {
-      .target_edge_length = options.length,
-      .iterations = options.effort == Effort::quick ? quick_first_iterations : first_iterations};
+  return {.target_edge_length = options.length,
+          .iterations = options.effort == Effort::quick ? quick_first_iterations : first_iterations,
+          .should_stop = options.should_stop};
 }
 
 /// Whether the net of this edge length sees the shape, but for a few thin parts that can be mended
@@ -66,10 +67,20 @@ std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
   return distances_to_surface(points, net);
 }
 
+int vertices_for_faces(const TriMesh& net, double faces) {
+  // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
+  const auto boundary =
+      std::ranges::count_if(net.edges(), [](const auto e) { return e.is_boundary(); });
+  const int euler = static_cast<int>(net.n_vertices()) - static_cast<int>(net.n_edges()) +
+                    static_cast<int>(net.n_faces());
+  return euler + static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
+}
+
 std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases,
                                   const StartingNetOptions& options) {
   auto net = std::make_unique<Net>(surface, creases);
-  remesh_in_place(net->on_surface, paper_options(options), [](const RemeshProgress&) {});
+  if (!remesh_in_place(net->on_surface, paper_options(options), [](const RemeshProgress&) {}))
+    return nullptr;
   net->on_surface.stay_on_sheets(sheet_reach * options.length);
   return net;
 }
@@ -81,6 +92,7 @@ std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& 
   if (area < min_coarse_vertices * unit_area * length * length) return nullptr;
   if (!can_hold(surface, length)) return nullptr;
   std::unique_ptr<Net> net = starting_net(surface, creases, options);
+  if (!net) return nullptr;
   unfold(net->on_surface);
   relax_springs(net->on_surface, length, opening_sweeps);
   return is_sound(*net, surface, length) ? std::move(net) : nullptr;

@@ -15,20 +15,27 @@ struct Net {
   Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
 };
 
+/// Vertices that a net would have with so many faces, and the topology and boundary that it has.
+[[nodiscard]] int vertices_for_faces(const TriMesh& net, double faces);
+
 /// How nets to start from are made.
 struct StartingNetOptions {
   double length = 0.0;  ///< of their edges
   Effort effort = Effort::normal;
+  std::function<bool()> should_stop = {};
 };
 
 /// The surface remeshed by the paper's loop. Its vertices stay on their sheets.
+///
+/// @return  Null if options.should_stop ended it.
 [[nodiscard]] std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases,
                                                 const StartingNetOptions& options);
 
 /// The same at a length several times the final one.
 ///
 /// @param area  Of the surface before its thin parts were inflated.
-/// @return      Null if the surface is too small, or too thin in parts, for such a net.
+/// @return      Null if the surface is too small, or too thin in parts, for such a net, or if
+///   options.should_stop ended it.
 [[nodiscard]] std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface,
                                                        const Creases& creases, double area,
                                                        const StartingNetOptions& options);

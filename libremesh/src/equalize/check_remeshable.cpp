@@ -40,9 +40,6 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   }
 }
 
-/// More would not fit into the memory of most machines (about 1 kB per face).
-constexpr double max_faces = 2e7;
-
 void check_that_target_fits(const TriMesh& mesh, double target) {
   double area = 0.0;
   const MeshComponents components = find_components(mesh);

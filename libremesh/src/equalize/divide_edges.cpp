@@ -45,7 +45,7 @@ TriMesh with_edges_divided(const TriMesh& surface, double target) {
   constexpr double max_of_net = 2.0;     // faces, times those of the net
   constexpr double max_of_input = 16.0;  // faces, times those of the surface
   TriMesh divided = surface;
-  const double max_faces =
+  const double max_divided_faces =
       max_of_input * static_cast<double>(surface.n_faces()) +
       max_of_net * surface_area(surface) / (unit_triangle_area * target * target);
   // The longest first; of equal ones the one with the lower index.
@@ -58,7 +58,7 @@ TriMesh with_edges_divided(const TriMesh& surface, double target) {
     }
   };
   for (const auto e : divided.edges()) add(e);
-  while (!queue.empty() && static_cast<double>(divided.n_faces()) < max_faces) {
+  while (!queue.empty() && static_cast<double>(divided.n_faces()) < max_divided_faces) {
     const auto [length, minus_index] = queue.top();
     queue.pop();
     const EdgeHandle e(-minus_index);

@@ -11,6 +11,7 @@
 #include "equalize/stellar.h"
 #include "equalize/valence.h"
 #include "mesh/geometry.h"
+#include "trivalent/remesh/error.h"
 
 namespace trivalent::remesh {
 
@@ -53,6 +54,10 @@ bool consists_of_needles(const TriMesh& mesh, double target) {
   return pieces * target * target > max_faces * surface_area(mesh) / unit_triangle_area;
 }
 
+bool should_stop(const RemeshOptions& options) {
+  return options.should_stop && options.should_stop();
+}
+
 /// Joins needles side by side, by collapses of their short edges.
 void join_needles(ConstrainedMesh& constrained, const RemeshOptions& options) {
   const StellarLimits limits = limits_of_iteration(constrained.mesh, options, 1);
@@ -64,7 +69,7 @@ void join_needles(ConstrainedMesh& constrained, const RemeshOptions& options) {
                                         .overlong = infinity,
                                         .mends_valences = false};
   for (int round = 0; round < max_rounds; ++round) {
-    if (apply_stellar_operations(constrained, collapses_only) == 0) return;
+    if (should_stop(options) || apply_stellar_operations(constrained, collapses_only) == 0) return;
   }
 }
 
@@ -81,7 +86,8 @@ void change_edges(ConstrainedMesh& constrained, const RemeshOptions& options, in
     correct_valences(constrained);
     before = distance;
     distance = std::abs(mean_edge_length(constrained.mesh) - limits.target);
-  } while (distance > far * limits.target && distance < before - min_progress * limits.target);
+  } while (distance > far * limits.target && distance < before - min_progress * limits.target &&
+           !should_stop(options));
 }
 
 /// Up to here everything stays in the processor's cache, whatever the order.
@@ -93,13 +99,14 @@ bool differs_by_a_tenth(std::size_t vertices, std::size_t before) {
 
 }  // namespace
 
-void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
+bool remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
                      const std::function<void(const RemeshProgress&)>& after_iteration) {
   if (consists_of_needles(constrained.mesh, options.target_edge_length)) {
     join_needles(constrained, options);
   }
   std::size_t numbered = 0;  // vertices when they were last numbered
   for (int i = 1; i <= options.iterations; ++i) {
+    if (should_stop(options)) return false;
     const std::size_t vertices = constrained.mesh.n_vertices();
     if (i > 1 && vertices > small_mesh &&
         (numbered == 0 || differs_by_a_tenth(vertices, numbered))) {
@@ -107,6 +114,7 @@ void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
       numbered = vertices;
     }
     change_edges(constrained, options, i);
+    if (should_stop(options)) return false;
     slide_vertices(constrained,
                    relaxed_positions(constrained, {options.rings, options.restriction}));
 
@@ -115,6 +123,7 @@ void remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
     progress.iterations = options.iterations;
     after_iteration(progress);
   }
+  return true;
 }
 
 RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
@@ -122,13 +131,15 @@ RemeshResult remesh(const TriMesh& mesh, const RemeshOptions& options) {
   RemeshResult result;
   result.mesh = with_edges_divided(mesh, options.target_edge_length);
   ConstrainedMesh constrained(result.mesh, find_creases(result.mesh, options.feature_angle));
-  remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
+  const bool is_done = remesh_in_place(constrained, options, [&](const RemeshProgress& progress) {
     result.iterations = progress.iteration;
     if (options.on_progress) options.on_progress(progress);
   });
+  if (result.iterations == 0) throw Stopped("remesh: stopped before there was a net");
   const RemeshProgress state = measure_progress(result.mesh);
   result.relative_spread = state.relative_spread;
   result.regular_fraction = state.regular_fraction;
+  result.stopped = !is_done;
   return result;
 }
 

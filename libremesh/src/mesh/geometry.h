@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <numbers>
 
 #include "trivalent/remesh/mesh.h"
 
@@ -10,9 +9,6 @@
 /// where elements lie in space, and through which boundary of a cell they reach, is known here
 /// only.
 namespace trivalent::remesh {
-
-/// Area of the equilateral triangle of edge 1.
-inline constexpr double unit_triangle_area = 0.25 * std::numbers::sqrt3;
 
 // ---- edges -------------------------------------------------------------------------------------
 

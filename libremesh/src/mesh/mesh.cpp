@@ -121,6 +121,13 @@ double surface_area(const TriMesh& mesh) {
   return area;
 }
 
+std::vector<Eigen::Vector3d> face_centroids(const TriMesh& mesh) {
+  std::vector<Eigen::Vector3d> centroids;
+  centroids.reserve(mesh.n_faces());
+  for (const auto f : mesh.faces()) centroids.push_back(face_centroid(mesh, f));
+  return centroids;
+}
+
 BoundingBox bounding_box(const TriMesh& mesh) {
   BoundingBox box;
   bool first = true;

@@ -25,7 +25,7 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 /// Candidates are tested by many threads, so many at a time.
 constexpr std::size_t batch_size = 1 << 20;
 
-constexpr auto max_crossings = static_cast<std::size_t>(most_crossing_pairs);
+constexpr auto max_crossings = static_cast<std::size_t>(max_crossing_pairs);
 
 /// Thrown out of CGAL's search, which has no other end than the last pair.
 struct EnoughFound {};
@@ -181,7 +181,7 @@ std::vector<Slab> slabs_of(std::vector<Box> boxes, int axis) {
   return slabs;
 }
 
-/// Crossings of boxes in a slab, at most most_crossing_pairs. A pair counts where the later of the
+/// Crossings of boxes in a slab, at most max_crossing_pairs. A pair counts where the later of the
 /// two begins, so that it counts once.
 CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::size_t max_places) {
   std::vector<FacePair> candidates;

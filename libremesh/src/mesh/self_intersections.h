@@ -17,7 +17,7 @@ struct CrossingFaces {
 
 /// By exact predicates. Faces without an area meet nothing.
 ///
-/// @param max_places  Length of the list of pairs; up to most_crossing_pairs are counted, and the
+/// @param max_places  Length of the list of pairs; up to max_crossing_pairs are counted, and the
 ///                     list is of those counted.
 ///
 /// Cost: O(n log n + pairs of faces whose boxes overlap) for n faces; less where more cross than

@@ -7,13 +7,6 @@
 
 namespace trivalent::remesh {
 
-namespace {
-
-/// Beyond this a mesh and its neighbor tables no longer fit a large workstation.
-constexpr double max_faces = 2e8;
-
-}  // namespace
-
 void check_positive(const Request& request, std::initializer_list<std::string_view> names) {
   for (const auto name : names) {
     if (request.at(name) > 0.0) continue;

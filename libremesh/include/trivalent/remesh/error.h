@@ -26,6 +26,11 @@ struct FileError : Error {
   using Error::Error;
 };
 
+/// The caller asked to stop before there was a result.
+struct Stopped : Error {
+  using Error::Error;
+};
+
 /// Joins the printed forms of all parts, for messages.
 template <typename... Parts>
 [[nodiscard]] std::string concat(const Parts&... parts) {

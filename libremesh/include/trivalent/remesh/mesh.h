@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
 
 #include <array>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,13 @@ using EdgeHandle = OpenMesh::EdgeHandle;
 using HalfedgeHandle = OpenMesh::HalfedgeHandle;
 using FaceHandle = OpenMesh::FaceHandle;
 
+/// Area of the equilateral triangle of edge 1.
+inline constexpr double unit_triangle_area = 0.25 * std::numbers::sqrt3;
+
+/// Maximum number of faces that remesh() and make_shape() make: more would not fit into the memory
+/// of most machines, at about 1 kB per face.
+inline constexpr double max_faces = 2e7;
+
 /// Position of a vertex in arrays with one entry per vertex.
 [[nodiscard]] inline std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
@@ -37,8 +45,7 @@ using FaceHandle = OpenMesh::FaceHandle;
 /// from outside). Points that no triangle uses stay as isolated vertices.
 ///
 /// @throws InvalidMesh if a coordinate is not finite, an index is out of range, a triangle repeats
-/// a
-///   corner, or the triangles do not form an oriented 2-manifold; the message names the element.
+///   a corner, or the triangles form no oriented 2-manifold; the message names the element.
 [[nodiscard]] TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
                                 std::span<const std::array<int, 3>> triangles);
 
@@ -50,6 +57,9 @@ using FaceHandle = OpenMesh::FaceHandle;
 
 /// Sum of the face areas, in the mesh's unit squared.
 [[nodiscard]] double surface_area(const TriMesh& mesh);
+
+/// Centroid of every face, in face order.
+[[nodiscard]] std::vector<Eigen::Vector3d> face_centroids(const TriMesh& mesh);
 
 /// Lower and upper corner of the axis-aligned bounding box; the mesh must have a vertex.
 struct BoundingBox {

@@ -21,13 +21,13 @@ struct MeshComponent {
   [[nodiscard]] int euler_characteristic() const { return vertices - edges + faces; }
 };
 
-/// The longest edges that a surface of this area can be made of: a closed one has room for the 20
-/// faces of an icosahedron, an open one for 2. In the mesh's unit.
+/// Maximum edge length for a surface of this area, in the mesh's unit: a closed surface needs the
+/// 20 faces of an icosahedron, an open one 2 faces.
 [[nodiscard]] double longest_edge_for(double area, bool is_closed);
 
-/// The longest edges that a part of this area and length can be made of: twice its mean width, or
-/// girth. With longer ones a net on a needle, such as one vertex that lies far off makes, would be
-/// split without end.
+/// Maximum edge length for a part of this area and length, in the mesh's unit: twice its mean
+/// width. With longer edges a net on a needle, such as one far vertex makes, would be split without
+/// end.
 [[nodiscard]] double longest_edge_along(double area, double length);
 
 /// All connected parts of a surface, in the order of their first faces.
@@ -36,9 +36,9 @@ struct MeshComponents {
   std::vector<int> of_face;  ///< index into parts, one per face
 };
 
-/// Takes a surface apart. Components that cross each other count as beside each other.
+/// Finds the connected parts of a surface. Components that cross each other are not nested.
 ///
-/// Cost: O(n) for n faces, and for every component the faces of those whose boxes enclose it.
+/// Cost: O(n) for n faces, plus for every component the faces of those whose boxes enclose it.
 [[nodiscard]] MeshComponents find_components(const TriMesh& mesh);
 
 }  // namespace trivalent::remesh

@@ -8,7 +8,7 @@
 
 namespace trivalent::remesh {
 
-/// A mesh as it was read, and what was changed on the way in.
+/// A mesh from a file, and what reading it changed.
 struct MeshFile {
   TriMesh mesh;
   std::vector<std::string> notes;  ///< one sentence per kind of change, e.g. "split 12 quads"
@@ -16,10 +16,10 @@ struct MeshFile {
 
 /// Reads OFF, OBJ, PLY, STL, VTK (legacy), VTP or VTU, text or binary, also gzipped.
 ///
-/// The content decides where it disagrees with the extension, or there is none (/dev/stdin).
-/// Polygons are split into triangles, corners of STL files welded where their coordinates are
-/// equal or differ by rounding, isolated vertices dropped; all is noted. A count that the file
-/// declares is held against its size before memory is taken for it.
+/// Where content and extension disagree, or there is no extension (/dev/stdin), the content
+/// decides. Splits polygons into triangles, welds corners of STL files that are equal or differ by
+/// rounding, and drops isolated vertices; notes say so. Checks every count that the file declares
+/// against the file's size before allocating memory.
 ///
 /// @throws FileError   if the file is missing, unreadable, of an unknown kind, cut short, malformed
 ///   or without faces; the message names the line, byte or element.
@@ -29,12 +29,12 @@ struct MeshFile {
 /// Cost: O(n) for n bytes; a million faces in OFF take about a second.
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Writes OFF, OBJ, PLY (text) or STL (binary, 32-bit numbers), by extension. Coordinates of the
-/// text kinds carry as many digits, up to 17, as bring back the same bits. The file appears whole
-/// or not at all.
+/// Writes OFF, OBJ, PLY (text) or STL (binary, 32-bit numbers), by extension. Coordinates in text
+/// have as many digits as are needed to read the same bits back. The file appears whole or not at
+/// all.
 ///
 /// @throws FileError   if the extension is unknown or the file cannot be written.
-/// @throws InvalidMesh if a coordinate is infinite or no number.
+/// @throws InvalidMesh if a coordinate is not finite.
 void write_mesh(const TriMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace trivalent::remesh

@@ -19,8 +19,8 @@ struct Spread {
   [[nodiscard]] double relative() const { return mean == 0.0 ? 0.0 : standard_deviation / mean; }
 };
 
-/// Pairs of faces that intersect are counted up to here; a soup of n faces may have n² of them.
-constexpr int most_crossing_pairs = 1'000'000;
+/// Maximum number of crossing pairs of faces that are counted; n faces may have n² of them.
+constexpr int max_crossing_pairs = 1'000'000;
 
 /// How regular a mesh is. Lengths in the mesh's own unit, angles in radian.
 struct MeshQuality {
@@ -35,22 +35,22 @@ struct MeshQuality {
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices; 0 if none
   double smallest_angle = 0.0;    ///< [rad]
   double largest_angle = 0.0;     ///< [rad]
-  int self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share,
-                                  ///< up to most_crossing_pairs
+  int self_intersections = 0;     ///< pairs of faces that meet outside the points and edges they
+                                  ///< share, up to max_crossing_pairs
 };
 
 /// Measures a mesh. Cost: O(n log n) for n faces, dominated by the intersection test.
 [[nodiscard]] MeshQuality measure_quality(const TriMesh& mesh);
 
-/// Distance between surfaces, over area-uniform samples; `max` also looks at every vertex, and is a
-/// lower bound of the Hausdorff distance. In the meshes' own unit.
+/// Distance from one surface to another, over area-uniform samples, in the meshes' own unit. `max`
+/// includes every vertex, and is a lower bound of the Hausdorff distance.
 struct SurfaceDistance {
   double max = 0.0;
   double mean = 0.0;
   double root_mean_square = 0.0;
 };
 
-/// Both directions, since neither bounds the other.
+/// Distances in both directions, since neither bounds the other.
 struct TwoSidedDistance {
   SurfaceDistance to_original;                    ///< from samples of the mesh to the original
   SurfaceDistance from_original;                  ///< from samples of the original to the mesh

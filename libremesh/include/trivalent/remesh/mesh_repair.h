@@ -12,9 +12,9 @@ namespace trivalent::remesh {
 
 /// How far repair() may go.
 enum class RepairMethod {
-  none,  ///< not at all: what make_mesh() refuses is refused
-  safe,  ///< connect, orient and clean what is there; the shape stays
-  wrap,  ///< a new closed surface around everything, a small offset outside it
+  none,  ///< no change: throw if make_mesh() would
+  safe,  ///< connect, orient and clean the faces; the shape stays
+  wrap,  ///< build a new closed surface around everything, a small offset outside it
 };
 
 enum class HolePolicy { keep, fill };
@@ -25,17 +25,19 @@ struct RepairOptions {
   HolePolicy holes = HolePolicy::keep;                     ///< for RepairMethod::safe
   ComponentPolicy components = ComponentPolicy::keep_all;  ///< the largest by area
   /// Size of the holes and gaps that a wrap closes and of the detail it loses, in the mesh's unit,
-  /// > 0; none: 1/100 of the bounding box's diagonal, among points at least 3 times their distance.
+  /// > 0. If empty, 1/100 of the bounding box's diagonal, and for points at least 3 times their
+  /// spacing.
   std::optional<double> wrap_alpha = std::nullopt;
-  /// Distance from the input to the wrap, in the mesh's unit, > 0; none: 1/30 of alpha, or an edge
-  /// of the net to come where the wrap is thinner than that.
+  /// Distance from the input to the wrap, in the mesh's unit, > 0. If empty, 1/30 of alpha, or one
+  /// edge of the planned net where the wrap would be thinner.
   std::optional<double> wrap_offset = std::nullopt;
-  /// Edge length of the net that is to come on a surface, in its unit. A wrap of an open surface
-  /// has two sides, and nets on sides closer than their edges cross each other. Empty: not minded.
+  /// Edge length of the planned net on a surface, in its unit. A wrap of an open surface has two
+  /// sides, and nets on sides closer than their edges cross each other. If empty, thickness is not
+  /// checked.
   std::function<double(const TriMesh&)> edge_length_on = {};
 };
 
-/// A sound surface and all that was done for it.
+/// A repaired surface, and what was changed.
 struct RepairResult {
   TriMesh mesh;
   std::vector<std::string> notes;  ///< those of the soup, and one sentence per kind of change
@@ -50,14 +52,14 @@ struct RepairResult {
 /// enclose a wedge of the inside stay together) or in a vertex; turns closed components that
 /// are inside out; drops isolated points; removes flat faces by flips and collapses.
 /// RepairMethod::wrap is CGAL's alpha wrapping [Portaneri2022]; it also takes points without any
-/// faces. Its thickness, for edge_length_on, is the mean one: 2V/A of its volume and area.
+/// faces. For edge_length_on, its thickness is the mean one: 2V/A of its volume and area.
 ///
-/// @throws InvalidMesh   if nothing sound results; the message says what to try.
+/// @throws InvalidMesh   if no sound surface results; the message says what to try.
 /// @throws InvalidOption if a wrap length is out of its range.
 ///
 /// Cost: O(n log n) for n faces, a wrap O((size/alpha)²) or more.
 [[nodiscard]] RepairResult repair(const TriangleSoup& soup, const RepairOptions& options = {});
-/// The same, if it is known already what diagnose() finds.
+/// The same, for a soup whose diagnosis is known.
 [[nodiscard]] RepairResult repair(const TriangleSoup& soup, const RepairOptions& options,
                                   const MeshDiagnosis& diagnosis);
 

@@ -11,8 +11,8 @@
 
 namespace trivalent::remesh {
 
-/// Points and polygons as a file holds them: every index in range and every coordinate finite, but
-/// nothing is known of how the polygons connect.
+/// Points and polygons of a file: every index is in range and every coordinate finite; how the
+/// polygons connect is not known.
 struct PolygonSoup {
   std::vector<Eigen::Vector3d> points;
   std::vector<int> corners;        ///< of all polygons, one after the other; indices into points
@@ -29,26 +29,27 @@ struct PolygonSoup {
 struct TriangleSoup {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<int, 3>> triangles;
-  std::vector<std::string> notes;  ///< those of the polygons, and what was changed since
+  std::vector<std::string> notes;  ///< those of the polygons, and of later changes
 };
 
-/// The box around points, of which there must be one.
+/// The box around one or more points.
 [[nodiscard]] BoundingBox bounding_box(std::span<const Eigen::Vector3d> points);
 
-/// Reads what a mesh file holds; see read_mesh() for kinds of files and errors. Beside meshes, it
-/// takes points, one per line (.xyz, .pwn).
+/// Reads the points and polygons of a mesh file, or points alone, one per line (.xyz, .pwn). Kinds
+/// of files and errors are those of read_mesh().
 [[nodiscard]] PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
-/// The same for the bytes of a file, unpacked if they are gzipped; its name tells the extension and
-/// stands in messages. Needs no more memory than a small multiple of the (unpacked) bytes.
+/// The same for the bytes of a file, which may be gzipped. Its name gives the extension, and is
+/// used in messages. Memory: a small multiple of the unpacked bytes.
 [[nodiscard]] PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name);
 
 /// Whether a file's name has an extension that read_polygon_soup knows.
 [[nodiscard]] bool has_mesh_extension(const std::filesystem::path& path);
 
 /// Splits polygons into triangles: quads along the shorter diagonal that lies inside, convex
-/// polygons into fans, others by cutting off ears in their mean plane. Repeated corners are merged,
-/// and polygons left with fewer than three dropped; all is noted.
+/// polygons into fans, others by cutting off ears in their mean plane. Never along an edge that
+/// exists already; where every diagonal does, a point is added. Merges repeated corners and drops
+/// polygons left with fewer than three; notes say so.
 ///
 /// @throws InvalidMesh if a polygon that is not convex has more than 1000 corners.
 [[nodiscard]] TriangleSoup triangulate(const PolygonSoup& soup);

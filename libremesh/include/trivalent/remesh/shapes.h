@@ -8,12 +8,14 @@
 
 namespace trivalent::remesh {
 
-/// A built-in surface: its name, what it is, and its parameters.
+/// A parameter of a built-in surface.
 struct ShapeParameter {
   std::string name;
-  double default_value = 0.0;  ///< in the shape's own unit of length, or a count where said
+  double default_value = 0.0;  ///< in the shape's own unit of length
   std::string meaning;
 };
+
+/// A built-in surface.
 struct ShapeDescription {
   std::string name;
   std::string meaning;
@@ -30,9 +32,9 @@ struct ShapeArgument {
   double value = 0.0;
 };
 
-/// Makes a built-in shape; parameters not given take their defaults.
+/// Makes a built-in shape; omitted parameters take their defaults.
 ///
-/// @param edge_length  Wanted edge length of the triangles, in the shape's own unit, > 0.
+/// @param edge_length  Mean edge length of the triangles, in the shape's own unit, > 0.
 /// @throws InvalidOption if the name or a parameter is unknown, or a value out of its range.
 [[nodiscard]] TriMesh make_shape(std::string_view name, const std::vector<ShapeArgument>& arguments,
                                  double edge_length);

@@ -18,8 +18,8 @@ namespace trivalent::remesh {
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
 
-/// Removes what unfinished calls of write_whole_file() have on the disk. For a handler of signals
-/// that is about to end the program: it may be called at any moment, and those calls fail.
+/// Removes the unfinished files of write_whole_file(), whose calls then fail. For a signal handler
+/// that is about to end the program; safe to call at any moment.
 void remove_part_files() noexcept;
 
 }  // namespace trivalent::remesh

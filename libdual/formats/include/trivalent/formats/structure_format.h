@@ -41,9 +41,10 @@ struct StructureFormat {
   std::vector<std::string> prefixes = {};  ///< beginnings of file names, as in data.NAME
   /// @throws FileError if the file is missing or not of this format; the message names the line.
   StructureFile (*read)(const std::filesystem::path& path, const ReadOptions& options) = nullptr;
+  /// @return  Notes on what the format changes; usually none.
   /// @throws InvalidNetwork, InvalidOption if the format cannot hold the structure.
-  void (*write)(std::ostream& out, const Structure& structure,
-                const WriteOptions& options) = nullptr;
+  std::vector<std::string> (*write)(std::ostream& out, const Structure& structure,
+                                    const WriteOptions& options) = nullptr;
 };
 
 /// The formats that are known. A program may add its own before it reads or writes anything.
@@ -63,10 +64,12 @@ struct StructureFormat {
 /// Writes a file in the format that its name asks for, compressed if it ends in .gz. The file
 /// appears whole or not at all.
 ///
+/// @return  The notes of the format's write().
 /// @throws InvalidOption  if no format has the name.
 /// @throws FileError      if the file cannot be written.
 /// @throws what the format's write() throws.
-void write_structure(const std::filesystem::path& path, const Structure& structure,
-                     const WriteOptions& options = {});
+std::vector<std::string> write_structure(const std::filesystem::path& path,
+                                         const Structure& structure,
+                                         const WriteOptions& options = {});
 
 }  // namespace trivalent::dual

@@ -22,13 +22,13 @@ struct ShellPage {
   std::vector<std::string> notes = {};  ///< what was found on the way
   std::vector<TableRow> parameters = {};
   std::vector<TableRow> results = {};
-  /// Drawn as a ghost [Å], unless it has more than most_ghost_faces; the page says so then.
+  /// Drawn as a ghost [Å], unless it has more than max_ghost_faces; the page says so then.
   std::optional<remesh::TriMesh> surface = {};
 };
 
-inline constexpr std::size_t most_ghost_faces = 200000;
+inline constexpr std::size_t max_ghost_faces = 200000;
 /// Of a state with more atoms the page shows a sample, and says so.
-inline constexpr std::size_t most_page_atoms = 1000000;
+inline constexpr std::size_t max_page_atoms = 1000000;
 
 /// Writes a page that a browser opens from disk: the viewer with the data in it. Maps of one name
 /// share the color scale of the last state that has one. Positions are rounded to 0.001 Å, values
