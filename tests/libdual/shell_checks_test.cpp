@@ -29,12 +29,12 @@ TEST(CheckShell, KnowsTheDodecahedron) {
   EXPECT_EQ(report.ring_sizes, (std::map<int, int>{{5, 12}}));
   EXPECT_TRUE(report.is_closed());
   EXPECT_EQ(report.euler_characteristic(), 2);
-  EXPECT_NEAR(report.shortest_bond.distance, 1.42, 1e-9);
-  EXPECT_NEAR(report.longest_bond.distance, 1.42, 1e-9);
-  EXPECT_NEAR(report.smallest_angle.angle, 108.0, 1e-9);
-  EXPECT_NEAR(report.largest_angle.angle, 108.0, 1e-9);
+  EXPECT_NEAR(report.shortest_bond->distance, 1.42, 1e-9);
+  EXPECT_NEAR(report.longest_bond->distance, 1.42, 1e-9);
+  EXPECT_NEAR(report.smallest_angle->angle, 108.0, 1e-9);
+  EXPECT_NEAR(report.largest_angle->angle, 108.0, 1e-9);
   // The diagonal of a pentagon.
-  EXPECT_NEAR(report.closest_non_bonded.distance, 1.42 * 0.5 * (1.0 + std::sqrt(5.0)), 1e-9);
+  EXPECT_NEAR(report.closest_non_bonded->distance, 1.42 * 0.5 * (1.0 + std::sqrt(5.0)), 1e-9);
 }
 
 TEST(CheckShell, KnowsTheEulerCharacteristicOfATorus) {
@@ -50,8 +50,8 @@ TEST(CheckShell, SeesBondsAndRingsAcrossBoundaries) {
   const ShellReport report = check(graphene_cell());
   EXPECT_TRUE(report.is_closed());
   EXPECT_EQ(report.euler_characteristic(), 0);
-  EXPECT_NEAR(report.largest_angle.angle, 120.0, 1e-6);
-  EXPECT_NEAR(report.closest_non_bonded.distance, std::sqrt(3.0) * graphene_bond, 1e-6);
+  EXPECT_NEAR(report.largest_angle->angle, 120.0, 1e-6);
+  EXPECT_NEAR(report.closest_non_bonded->distance, std::sqrt(3.0) * graphene_bond, 1e-6);
 }
 
 TEST(CheckShell, NamesAtomsWithoutThreeBonds) {
@@ -73,7 +73,7 @@ TEST(CheckShell, IsContentWithCappedEdges) {
     // Only carbon that had a single bond may still lack one.
     EXPECT_EQ(sheet.atoms.species[static_cast<std::size_t>(atom)], potentials::Species::carbon);
   }
-  EXPECT_GT(report.shortest_bond.distance, 1.4);  // not that of C-H
+  EXPECT_GT(report.shortest_bond->distance, 1.4);  // not that of C-H
 }
 
 TEST(CheckShell, CountsPieces) {

@@ -158,7 +158,7 @@ def test_an_interrupt_before_the_first_net_raises() -> None:
     timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        trivalent.build("torus", atoms=1000000, on_interrupt="keep")
+        trivalent.build("torus", atoms=100000, on_interrupt="keep")
     timer.join()
 
 

@@ -73,10 +73,10 @@ void measure_bonds(const Atoms& atoms, const Bonding& bonding, ShellReport& repo
       if (!is_carbon(atoms, static_cast<std::size_t>(end.atom))) continue;
       const AtomPair bond = {.atoms = {static_cast<int>(i), end.atom},
                              .distance = end.separation.norm()};
-      AtomPair& shortest = report.shortest_bond;
-      AtomPair& longest = report.longest_bond;
-      if (shortest.atoms[0] < 0 || bond.distance < shortest.distance) shortest = bond;
-      if (longest.atoms[0] < 0 || bond.distance > longest.distance) longest = bond;
+      auto& shortest = report.shortest_bond;
+      auto& longest = report.longest_bond;
+      if (!shortest || bond.distance < shortest->distance) shortest = bond;
+      if (!longest || bond.distance > longest->distance) longest = bond;
     }
   }
 }
@@ -92,10 +92,10 @@ void measure_angles(const Bonding& bonding, ShellReport& report) {
       for (std::size_t b = a + 1; b < ends.size(); ++b) {
         const BondAngle angle = {.atom = static_cast<int>(i),
                                  .angle = angle_between(ends[a].separation, ends[b].separation)};
-        BondAngle& smallest = report.smallest_angle;
-        BondAngle& largest = report.largest_angle;
-        if (smallest.atom < 0 || angle.angle < smallest.angle) smallest = angle;
-        if (largest.atom < 0 || angle.angle > largest.angle) largest = angle;
+        auto& smallest = report.smallest_angle;
+        auto& largest = report.largest_angle;
+        if (!smallest || angle.angle < smallest->angle) smallest = angle;
+        if (!largest || angle.angle > largest->angle) largest = angle;
       }
     }
   }
@@ -110,15 +110,15 @@ bool are_bonded(const std::vector<BondEnd>& ends, const potentials::Neighbor& ne
 
 void find_closest_non_bonded(const Atoms& atoms, const Bonding& bonding, ShellReport& report) {
   const potentials::NeighborList neighbors(atoms, non_bonded_reach);
-  AtomPair& closest = report.closest_non_bonded;
+  std::optional<AtomPair>& closest = report.closest_non_bonded;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     if (!is_carbon(atoms, i)) continue;
     for (const potentials::Neighbor& neighbor : neighbors[i]) {
       if (!is_carbon(atoms, neighbor.atom)) continue;
-      if (closest.atoms[0] >= 0 && neighbor.distance >= closest.distance) continue;
+      if (closest && neighbor.distance >= closest->distance) continue;
       if (are_bonded(bonding[i], neighbor)) continue;
-      closest = {.atoms = {static_cast<int>(i), static_cast<int>(neighbor.atom)},
-                 .distance = neighbor.distance};
+      closest = AtomPair{.atoms = {static_cast<int>(i), static_cast<int>(neighbor.atom)},
+                         .distance = neighbor.distance};
     }
   }
 }

@@ -177,7 +177,11 @@ void Build::evaluate_input() {
 void Build::evaluate() {
   begin(BuildStep::energies);
   evaluate_shell();
-  evaluate_input();
+  if (result.stopped) {
+    result.notes.emplace_back("stopped: the dual of the input was not evaluated");
+  } else {
+    evaluate_input();
+  }
   end(BuildStep::energies);
   note_misses(options_.shell.size, result);
   note_findings(result);
@@ -211,7 +215,7 @@ void Build::relax() {
   result.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
   const remesh::TriMesh net =
       carried_along(result.shell.surface.mesh, before, structure.atoms.positions);
-  result.distance_at_rest = remesh::measure_distance(net, result.original);
+  if (!result.stopped) result.distance_at_rest = remesh::measure_distance(net, result.original);
   result.budget = energy_budget(net, excess_energy());
   end(BuildStep::relax);
 }

@@ -55,7 +55,7 @@ Json BuildResult::json() const {
   json["energy"]["budget"] = budget.json();
   if (relaxed) {
     json["relaxation"] = relax_json(relaxation, *relaxed);
-    json["relaxation"]["distance"] = distance_json(*distance_at_rest);
+    if (distance_at_rest) json["relaxation"]["distance"] = distance_json(*distance_at_rest);
   }
   json["seconds"] = Json::object();
   for (const auto& [step, time] : seconds) json["seconds"][step] = time;
@@ -80,7 +80,7 @@ std::vector<dual::TableRow> BuildResult::rows() const {
   if (relaxed) {
     rows.push_back({"relaxation"});
     append(rows, relax_rows(relaxation, *relaxed));
-    append(rows, distance_rows(*distance_at_rest));
+    if (distance_at_rest) append(rows, distance_rows(*distance_at_rest));
   }
   rows.push_back({"energy above graphene"});
   append(rows, budget.rows());

@@ -8,14 +8,14 @@
 namespace trivalent::shell {
 namespace {
 
-Json pair_json(const dual::AtomPair& pair) {
-  if (pair.atoms[0] < 0) return nullptr;
-  return {{"ids", {pair.atoms[0] + 1, pair.atoms[1] + 1}}, {"distance", pair.distance}};
+Json pair_json(const std::optional<dual::AtomPair>& pair) {
+  if (!pair) return nullptr;
+  return {{"ids", {pair->atoms[0] + 1, pair->atoms[1] + 1}}, {"distance", pair->distance}};
 }
 
-Json angle_json(const dual::BondAngle& angle) {
-  if (angle.atom < 0) return nullptr;
-  return {{"id", angle.atom + 1}, {"angle", angle.angle}};
+Json angle_json(const std::optional<dual::BondAngle>& angle) {
+  if (!angle) return nullptr;
+  return {{"id", angle->atom + 1}, {"angle", angle->angle}};
 }
 
 std::vector<dual::TableRow> topology_rows(const dual::ShellReport& shell) {
@@ -52,15 +52,15 @@ std::vector<dual::TableRow> energy_rows(const Certificate& certificate) {
 
 }  // namespace
 
-std::string pair_text(const dual::AtomPair& pair) {
-  if (pair.atoms[0] < 0) return "none";
-  return decimals(pair.distance, 3) + " (" + std::to_string(pair.atoms[0] + 1) + '-' +
-         std::to_string(pair.atoms[1] + 1) + ')';
+std::string pair_text(const std::optional<dual::AtomPair>& pair) {
+  if (!pair) return "none";
+  return decimals(pair->distance, 3) + " (" + std::to_string(pair->atoms[0] + 1) + '-' +
+         std::to_string(pair->atoms[1] + 1) + ')';
 }
 
-std::string angle_text(const dual::BondAngle& angle) {
-  if (angle.atom < 0) return "none";
-  return decimals(angle.angle, 1) + "° (" + std::to_string(angle.atom + 1) + ')';
+std::string angle_text(const std::optional<dual::BondAngle>& angle) {
+  if (!angle) return "none";
+  return decimals(angle->angle, 1) + "° (" + std::to_string(angle->atom + 1) + ')';
 }
 
 Json Certificate::json() const {

@@ -48,21 +48,20 @@ std::vector<int> wrong_atoms(const potentials::Atoms& atoms, const dual::Bonding
 void find_wrong_geometry(Certificate& certificate) {
   const dual::ShellReport& shell = certificate.shell;
   auto& problems = certificate.problems;
-  const bool has_bonds = shell.longest_bond.atoms[0] >= 0;
-  if (has_bonds && shell.longest_bond.distance > longest_sound_bond) {
+  if (shell.longest_bond && shell.longest_bond->distance > longest_sound_bond) {
     problems.push_back("the bond of " + pair_text(shell.longest_bond) + " Å is too long");
   }
-  if (has_bonds && shell.shortest_bond.distance < shortest_sound_bond) {
+  if (shell.shortest_bond && shell.shortest_bond->distance < shortest_sound_bond) {
     problems.push_back("the bond of " + pair_text(shell.shortest_bond) + " Å is too short");
   }
-  if (shell.smallest_angle.atom >= 0 && shell.smallest_angle.angle < smallest_sound_angle) {
+  if (shell.smallest_angle && shell.smallest_angle->angle < smallest_sound_angle) {
     problems.push_back("the angle of " + angle_text(shell.smallest_angle) + " is too small");
   }
-  if (shell.largest_angle.angle > largest_sound_angle) {
+  if (shell.largest_angle && shell.largest_angle->angle > largest_sound_angle) {
     problems.push_back("the angle of " + angle_text(shell.largest_angle) + " is too large");
   }
-  const dual::AtomPair& closest = shell.closest_non_bonded;
-  if (closest.atoms[0] >= 0 && closest.distance < closest_sound_pair) {
+  const std::optional<dual::AtomPair>& closest = shell.closest_non_bonded;
+  if (closest && closest->distance < closest_sound_pair) {
     problems.push_back("two atoms without a bond are only " + pair_text(closest) + " Å apart");
   }
 }

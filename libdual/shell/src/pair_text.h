@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "trivalent/dual/shell_checks.h"
@@ -7,7 +8,7 @@
 namespace trivalent::shell {
 
 // Lengths and angles with the ids of their atoms.
-[[nodiscard]] std::string pair_text(const dual::AtomPair& pair);
-[[nodiscard]] std::string angle_text(const dual::BondAngle& angle);
+[[nodiscard]] std::string pair_text(const std::optional<dual::AtomPair>& pair);
+[[nodiscard]] std::string angle_text(const std::optional<dual::BondAngle>& angle);
 
 }  // namespace trivalent::shell

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <vector>
@@ -119,7 +118,8 @@ class Annealing {
     for (const DefectMove& move : shuffled_moves(start.topology().valence(0), random)) {
       random = hashed(random, 1);
       const int added = move.added_vertices();
-      const double limit = energy + largest_rise(uniform(random)) - rise_of_count(added);
+      const double limit =
+          energy + largest_rise(temperature_, random, min_gain) - rise_of_count(added);
       patch = start;
       if (!make_move(patch, patch.topology(), move) ||
           patch.topology().disorder() > disorder + max_new_disorder)
@@ -137,11 +137,6 @@ class Annealing {
       break;
     }
     return decision;
-  }
-
-  /// By Metropolis: exp(-rise/T) is at least the random number in [0, 1).
-  [[nodiscard]] double largest_rise(double random) const {
-    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -min_gain;
   }
 
   /// Puts the patch onto the surface.

@@ -1,10 +1,15 @@
 #include "crystal/defect_moves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
 namespace trivalent::remesh {
+
+double largest_rise(double temperature, std::uint64_t random, double min_gain) {
+  return temperature > 0.0 ? -temperature * std::log(1.0 - uniform(random)) : -min_gain;
+}
 
 std::vector<DefectMove> shuffled_moves(int valence, std::uint64_t seed) {
   using Kind = DefectMove::Kind;

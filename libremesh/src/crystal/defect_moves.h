@@ -20,6 +20,12 @@ namespace trivalent::remesh {
   return static_cast<double>(bits >> 11U) * 0x1.0p-53;
 }
 
+/// How much the energy may rise by a move that [Metropolis1953] accepts: exp(-rise/T) is at least
+/// the random number in [0, 1).
+///
+/// @param min_gain  By which it must fall at temperature 0.
+[[nodiscard]] double largest_rise(double temperature, std::uint64_t random, double min_gain);
+
 /// A move at the center of a patch: of the spoke number k, or of the rim beyond it.
 struct DefectMove {
   enum class Kind : std::uint8_t { flip_spoke, flip_rim, collapse, split } kind;

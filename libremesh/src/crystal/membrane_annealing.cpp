@@ -118,7 +118,7 @@ class MembraneAnnealing {
       patch = start;
       if (!make_move(patch, patch.topology(), move)) continue;
       if (patch.topology().disorder() > disorder + max_new_disorder) continue;
-      const double limit = before + largest_rise(uniform(random));
+      const double limit = before + largest_rise(temperature_, random, min_gain);
       const int added = move.added_vertices();
       const auto energy =
           patch.relax({patch_steps, tolerance, limit - rise_of_count(added)}, workspace.minimizer);
@@ -129,11 +129,6 @@ class MembraneAnnealing {
       break;
     }
     return decision;
-  }
-
-  /// By Metropolis: exp(-rise/T) is at least the random number in [0, 1).
-  [[nodiscard]] double largest_rise(double random) const {
-    return temperature_ > 0.0 ? -temperature_ * std::log(1.0 - random) : -min_gain;
   }
 
   void apply(const Decision& decision) {

@@ -147,9 +147,9 @@ class SpringSearch {
         coarse_starting_net(room, creases_, area_, starting_options(2.0 * m));
     if (!coarse) return nullptr;
     net->on_surface.stay_on_sheets(sheet_reach * m);
-    const double coarse_length =
-        2.0 * m *
-        std::sqrt(surface_area(coarse->mesh) / area_divided(*coarse) / shrinkage(room, surface_));
+    const double coarse_length = 2.0 * m *
+                                 std::sqrt(surface_area(coarse->mesh) /
+                                           area_divided(*coarse, room) / shrinkage(room, surface_));
     const int searches = searches_for(*coarse);
     watch_.expect(searches * rounds_of(coarse_stage) + rounds_of(fine_stage));
     ConstrainedMesh::State best;
@@ -186,13 +186,12 @@ class SpringSearch {
 
   /// The area of a coarse net once it is divided, half inside and half outside. Its own is less, as
   /// chords cut the surface.
-  static double area_divided(Net& coarse) {
-    const ConstrainedMesh::State state = coarse.on_surface.state();
-    coarse.on_surface.subdivide();
-    straddle_surface(coarse.on_surface);
-    const double area = surface_area(coarse.mesh);
-    coarse.on_surface.restore(state);
-    return area;
+  [[nodiscard]] double area_divided(const Net& coarse, const TriMesh& room) const {
+    Net fine(room, creases_);
+    fine.on_surface.restore(coarse.on_surface.state());
+    fine.on_surface.subdivide();
+    straddle_surface(fine.on_surface);
+    return surface_area(fine.mesh);
   }
 
   /// Brings a net that comes from twice the target length to the target length.

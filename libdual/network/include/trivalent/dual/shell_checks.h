@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "trivalent/dual/bonding.h"
@@ -11,14 +12,14 @@ namespace trivalent::dual {
 
 /// Two atoms (or an atom and a periodic image of one) and how far they are apart.
 struct AtomPair {
-  std::array<int, 2> atoms = {-1, -1};  ///< from 0; -1 if there is no such pair
-  double distance = 0.0;                ///< [Å]
+  std::array<int, 2> atoms;  ///< from 0
+  double distance;           ///< [Å]
 };
 
 /// An angle between two bonds of an atom.
 struct BondAngle {
-  int atom = -1;       ///< in the middle, from 0; -1 if there is none
-  double angle = 0.0;  ///< [degree]
+  int atom;      ///< in the middle, from 0
+  double angle;  ///< [degree]
 };
 
 /// How far pairs that are not bonded are looked for [Å]; second neighbors in a hexagon have 2.46.
@@ -29,14 +30,14 @@ struct ShellReport {
   int atoms = 0;
   int bonds = 0;
   int pieces = 0;  ///< atoms that no chain of bonds connects are in different ones
-  std::map<int, int> coordinations;  ///< atoms by number of bonds
-  std::map<int, int> ring_sizes;     ///< rings by size
-  int angles_without_ring = 0;       ///< pairs of bonds at an atom that no ring goes through
-  AtomPair shortest_bond;            ///< of two carbons, as the next ones
-  AtomPair longest_bond;
-  BondAngle smallest_angle;  ///< of any bonds
-  BondAngle largest_angle;
-  AtomPair closest_non_bonded;  ///< two carbons within non_bonded_reach
+  std::map<int, int> coordinations;         ///< atoms by number of bonds
+  std::map<int, int> ring_sizes;            ///< rings by size
+  int angles_without_ring = 0;              ///< pairs of bonds at an atom that no ring goes through
+  std::optional<AtomPair> shortest_bond;    ///< of two carbons; none if no carbons are bonded
+  std::optional<AtomPair> longest_bond;     ///< likewise
+  std::optional<BondAngle> smallest_angle;  ///< of any bonds; none if no atom has two
+  std::optional<BondAngle> largest_angle;
+  std::optional<AtomPair> closest_non_bonded;  ///< two carbons within non_bonded_reach, if any
   /// Atoms that have another number of bonds than they should (carbon 3, hydrogen 1), ascending.
   std::vector<int> odd_atoms;
 

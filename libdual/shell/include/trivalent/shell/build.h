@@ -59,12 +59,13 @@ struct BuildResult {
   remesh::MeshQuality quality = {};
   remesh::MeshComponents components = {};  ///< of_face also covers hydrogens
   remesh::TwoSidedDistance distance = {};  ///< of the net, before the shell is relaxed
-  /// Of the net carried along by the atoms that were relaxed.
+  /// Of the net carried along by the atoms that were relaxed; none if that was stopped.
   std::optional<remesh::TwoSidedDistance> distance_at_rest = {};
   dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
   dual::HydrogenCaps caps = {};
-  potentials::EnergyForces energy = {};            ///< REBO
-  std::optional<dual::ShellState> before = {};     ///< the dual of the input, if it has an energy
+  potentials::EnergyForces energy = {};  ///< REBO
+  std::optional<dual::ShellState> before =
+      {};  ///< the dual of the input, if it has an energy; none if stopped
   std::optional<dual::ShellState> unrelaxed = {};  ///< the shell before it was relaxed
   std::optional<potentials::RelaxResult> relaxed = {};
   RelaxReport relaxation = {};
