@@ -24,6 +24,7 @@ struct Command {
 extern const Command build_command;
 extern const Command remesh_command;
 extern const Command check_command;
+extern const Command convert_command;
 extern const Command dual_command;
 extern const Command energy_command;
 extern const Command lammps_command;

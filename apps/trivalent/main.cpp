@@ -16,9 +16,9 @@
 namespace trivalent::apps {
 namespace {
 
-const std::array commands = {&build_command, &remesh_command, &dual_command,   &energy_command,
-                             &relax_command, &check_command,  &lammps_command, &inspect_command,
-                             &shape_command, &view_command,   &render_command};
+const std::array commands = {&build_command,   &remesh_command, &dual_command,   &energy_command,
+                             &relax_command,   &check_command,  &lammps_command, &convert_command,
+                             &inspect_command, &shape_command,  &view_command,   &render_command};
 
 int print_help() {
   std::cout << "Usage: trivalent COMMAND ...\n\nTurns a triangle surface into a carbon shell.\n\n";

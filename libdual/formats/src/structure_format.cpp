@@ -6,9 +6,17 @@
 #include <ostream>
 
 #include "gzip_stream.h"
+#include "trivalent/formats/cif.h"
+#include "trivalent/formats/cp2k.h"
+#include "trivalent/formats/dftb_gen.h"
 #include "trivalent/formats/elements.h"
+#include "trivalent/formats/espresso.h"
+#include "trivalent/formats/gro.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/lammps_frame.h"
+#include "trivalent/formats/mol2.h"
+#include "trivalent/formats/pdb.h"
+#include "trivalent/formats/poscar.h"
 #include "trivalent/formats/xyz.h"
 #include "trivalent/remesh/polygon_soup.h"
 #include "trivalent/remesh/whole_file.h"
@@ -77,6 +85,21 @@ std::vector<StructureFormat>& structure_formats() {
        .prefixes = {"data."},
        .read = read_lammps_data,
        .write = write_data},
+      {.name = "poscar",
+       .extensions = {".poscar", ".vasp"},
+       .prefixes = {"poscar", "contcar"},
+       .read = read_poscar,
+       .write = write_poscar},
+      {.name = "cif", .extensions = {".cif", ".mmcif"}, .read = read_cif, .write = write_cif},
+      {.name = "pdb", .extensions = {".pdb", ".ent"}, .read = read_pdb, .write = write_pdb},
+      {.name = "gro", .extensions = {".gro"}, .read = read_gro, .write = write_gro},
+      {.name = "mol2", .extensions = {".mol2"}, .read = read_mol2, .write = write_mol2},
+      {.name = "dftb-gen", .extensions = {".gen"}, .read = read_dftb_gen, .write = write_dftb_gen},
+      {.name = "quantum-espresso",
+       .extensions = {".pwi"},
+       .read = read_espresso,
+       .write = write_espresso},
+      {.name = "cp2k", .extensions = {".inp"}, .read = read_cp2k, .write = write_cp2k},
   };
   return formats;
 }

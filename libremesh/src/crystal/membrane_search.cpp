@@ -44,7 +44,10 @@ constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
 /// A net must have room for patches, or its defects see the whole of it.
-constexpr int min_vertices_at_4 = 1200;
+constexpr int min_vertices_at_4 = 300;
+/// From here on an order found at four times the length is rarely bettered at twice the length,
+/// which takes longest.
+constexpr int enough_vertices_at_4 = 1200;
 /// Parts thinner than this [edges] are inflated for the first net.
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
@@ -82,24 +85,28 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
-        net_(surface_, creases_) {}
+        net_(surface_, creases_),
+        whole_surface_(net_.on_surface.state()) {}
 
   std::optional<FoundNet> run() {
-    const std::optional<std::size_t> first = start();
-    if (!first) return std::nullopt;
-    const int searches = searches_for(net_.mesh);
-    Schedule schedule = ordering;
-    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
-    watch_.expect(searches * rounds_of(schedule) +
-                  static_cast<int>(levels.size() - 1 - *first) * rounds_of(settling));
-    order(levels[*first], schedule, searches);
-    for (std::size_t level = *first + 1; level < levels.size(); ++level) {
+    std::optional<Ordered> best;
+    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+      if (!begins_at(level, best.has_value()) || !start(levels[level])) continue;
+      const Ordered ordered = order_from(level);
+      if (!best || ordered.energy < best->energy) best = ordered;
+    }
+    const bool is_coarse = best.has_value();
+    if (is_coarse) {
+      net_.on_surface.restore(best->state);
       divide();
-      anneal_level(levels[level], settling, options_.seed);
+      watch_.expect(rounds_of(settling));
+      anneal_level(levels.back(), settling, options_.seed);
+    } else if (watch_.stopped() || !start_small()) {
+      return std::nullopt;
     }
     finish();
     scale(net_.mesh, 1.0 / scale_);
-    return FoundNet{std::move(net_.mesh), *first + 1 < levels.size()};
+    return FoundNet{std::move(net_.mesh), is_coarse};
   }
 
  private:
@@ -108,33 +115,67 @@ class MembraneSearch {
     return mesh;
   }
 
-  /// Puts the first net on the surface.
-  ///
-  /// @return Its level.
-  std::optional<std::size_t> start() {
-    const double vertex_area =
-        2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
-    const double vertices = area_ / vertex_area;
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-      const int coarseness = levels[level].coarseness;
-      if (coarseness == 4 && vertices < 16.0 * min_vertices_at_4) continue;
-      const double length = coarseness * Membrane::fine_length;
-      const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
-      const std::unique_ptr<Net> net = coarse_starting_net(
-          inflated_surface.value_or(surface_), creases_, area_, starting_options(length));
-      if (watch_.stopped()) return std::nullopt;
-      if (!net) continue;
-      net_.on_surface.restore(net->on_surface.state());
-      return level;
+  /// A net of twice the target length, and the energy that tells good ones from others [eV].
+  struct Ordered {
+    double energy;
+    ConstrainedMesh::State state;
+  };
+
+  /// Vertices of a net of the target length.
+  [[nodiscard]] double n_vertices() const {
+    return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
+  }
+
+  /// Whether a search begins at a level, if another has begun at a coarser one or not.
+  [[nodiscard]] bool begins_at(std::size_t level, bool has_begun) const {
+    if (watch_.stopped()) return false;
+    if (levels[level].coarseness == 4) return n_vertices() >= 16.0 * min_vertices_at_4;
+    const bool is_cheap = n_vertices() < 16.0 * enough_vertices_at_4;
+    return !has_begun || (is_cheap && options_.effort != Effort::quick);
+  }
+
+  /// Puts the first net on the surface, if it is thick enough for one.
+  bool start(const Level& level) {
+    const double length = level.coarseness * Membrane::fine_length;
+    net_.on_surface.restore(whole_surface_);
+    const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
+    const std::unique_ptr<Net> net = coarse_starting_net(
+        inflated_surface.value_or(surface_), creases_, area_, starting_options(length));
+    if (!net) return false;
+    net_.on_surface.restore(net->on_surface.state());
+    return true;
+  }
+
+  /// Orders the first net of a level, and brings it to twice the target length.
+  Ordered order_from(std::size_t level) {
+    const int searches = searches_for(net_.mesh);
+    Schedule schedule = ordering;
+    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
+    watch_.expect(searches * rounds_of(schedule));
+    double energy = order(levels[level], schedule, searches);
+    if (levels[level].coarseness == 4) {
+      divide();
+      watch_.expect(rounds_of(settling));
+      energy = anneal_level(levels[level + 1], settling, options_.seed);
     }
-    // Small nets need no coarse one; thin ones would cross themselves.
+    return {energy, net_.on_surface.state()};
+  }
+
+  /// Orders a net of the target length: small ones need no coarse one, thin ones would cross
+  /// themselves.
+  bool start_small() {
     constexpr double max_vertices_of_small = 1500.0;
-    if (vertices > max_vertices_of_small) return std::nullopt;
+    if (n_vertices() > max_vertices_of_small) return false;
     const std::unique_ptr<Net> net =
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
-    if (!net) return std::nullopt;
+    if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
-    return levels.size() - 1;
+    const int searches = searches_for(net_.mesh);
+    Schedule schedule = ordering;
+    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
+    watch_.expect(searches * rounds_of(schedule));
+    order(levels.back(), schedule, searches);
+    return true;
   }
 
   [[nodiscard]] StartingNetOptions starting_options(double length) const {
@@ -168,7 +209,9 @@ class MembraneSearch {
   }
 
   /// Anneals the first net several times, and keeps the one of least energy.
-  void order(const Level& level, const Schedule& schedule, int searches) {
+  ///
+  /// @return  That energy [eV].
+  double order(const Level& level, const Schedule& schedule, int searches) {
     const ConstrainedMesh::State start = net_.on_surface.state();
     ConstrainedMesh::State best = start;
     double min_energy = std::numeric_limits<double>::infinity();
@@ -183,6 +226,7 @@ class MembraneSearch {
       best = net_.on_surface.state();
     }
     net_.on_surface.restore(best);
+    return min_energy;
   }
 
   /// @return  Energy of the membrane, cores included [eV].
@@ -254,6 +298,7 @@ class MembraneSearch {
   SearchWatch& watch_;
   double area_;
   Net net_;
+  ConstrainedMesh::State whole_surface_;  // as it came
 };
 
 }  // namespace

@@ -32,6 +32,8 @@ struct ReadOptions {
 struct WriteOptions {
   Digits digits = Digits::ten_decimals;
   AtomStyle atom_style = AtomStyle::atomic;  ///< of LAMMPS data
+  /// Of CIF: atoms may be this far from places of a space group [Å]; if none, all are written.
+  std::optional<double> symmetry_tolerance = {};
 };
 
 /// A format of files of atoms.

@@ -1,0 +1,28 @@
+#include "columns_of_text.h"
+
+#include <array>
+#include <charconv>
+
+namespace trivalent::dual {
+
+void append_right(std::string& line, std::string_view word, std::size_t width) {
+  if (word.size() < width) line.append(width - word.size(), ' ');
+  line += word;
+}
+
+void append_fixed(std::string& line, double value, int decimals, std::size_t width) {
+  std::array<char, 400> digits = {};  // the largest double has 309 before the point
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                          std::chars_format::fixed, decimals);
+  append_right(line, {digits.data(), end}, width);
+}
+
+std::string_view columns_of(std::string_view line, std::size_t begin, std::size_t end) {
+  if (begin >= line.size()) return {};
+  line = line.substr(begin, end - begin);
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return line.substr(first, line.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace trivalent::dual

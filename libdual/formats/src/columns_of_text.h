@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace trivalent::dual {
+
+/// Appends a word to a line, with blanks before it up to the width.
+void append_right(std::string& line, std::string_view word, std::size_t width);
+
+/// Appends a number with so many decimals, with blanks before it up to the width.
+void append_fixed(std::string& line, double value, int decimals, std::size_t width);
+
+/// The characters from one column up to another, without blanks around them; columns count from 0,
+/// and may lie beyond the end of the line.
+[[nodiscard]] std::string_view columns_of(std::string_view line, std::size_t begin,
+                                          std::size_t end);
+
+}  // namespace trivalent::dual
