@@ -13,7 +13,7 @@ packages=(
   chromium                  # opens the pages in the tests
   libcgal-demo              # real meshes for the tests
   lammps lammps-data        # the reference for energies
-  python3 python3-ase python3-numpy python3-vtk9  # read our files back in the tests
+  python3 python3-ase python3-numpy python3-vtk9 python3-gemmi python3-mdanalysis openbabel  # read our files back in the tests
   pybind11-dev python3-dev  # the Python module
   python3-pytest python3-mypy python3-matplotlib python3-tqdm  # its tests and examples
   python3-pip python3-wheel  # pip install .

@@ -45,6 +45,7 @@ shell::CertifyOptions certify_options(const Session& session) {
   if (session.has("lammps")) {
     options.lammps = lammps_options(session, options.potential);
   } else {
+    if (options.potential.pair_style) throw UsageError("--pair-style goes with --lammps");
     refuse_lammps_options(session, "--lammps");
   }
   return options;

@@ -45,9 +45,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
   if (options.symmetry_tolerance && dual::find_structure_format(output)->name != "cif") {
     throw UsageError("--symmetry belongs to CIF; OUT must end in .cif");
   }
-  dual::Structure structure = read_structure(session->get<std::string>("IN"),
-                                             structure_options(*session, input_style),
-                                             session->terminal);
+  dual::Structure structure = read_structure(
+      session->get<std::string>("IN"), structure_options(*session, input_style), session->terminal);
   if (session->has("guess-bonds") && structure.bonds.empty()) {
     potentials::GuessedBonds guess = potentials::guess_bonds(structure.atoms);
     session->terminal.note(shell::guess_note(guess));
@@ -55,14 +54,13 @@ int run(const Command& self, std::span<const std::string> arguments) {
   }
   const std::vector<std::string> notes = dual::write_structure(output, structure, options);
   session->terminal.notes(notes);
-  session->terminal.print(
-      {.table = {{"wrote", output},
-                 {"atoms", std::to_string(structure.atoms.size())},
-                 {"bonds", std::to_string(structure.bonds.size())}},
-       .json = {{"file", output},
-                {"atoms", structure.atoms.size()},
-                {"bonds", structure.bonds.size()},
-                {"notes", notes}}});
+  session->terminal.print({.table = {{"wrote", output},
+                                     {"atoms", std::to_string(structure.atoms.size())},
+                                     {"bonds", std::to_string(structure.bonds.size())}},
+                           .json = {{"file", output},
+                                    {"atoms", structure.atoms.size()},
+                                    {"bonds", structure.bonds.size()},
+                                    {"notes", notes}}});
   return done;
 }
 
@@ -71,8 +69,9 @@ int run(const Command& self, std::span<const std::string> arguments) {
 const Command convert_command = {
     .name = "convert",
     .synopsis = "IN OUT [--guess-bonds] [--symmetry TOLERANCE] [options]",
-    .meaning = "Writes atoms in another format: LAMMPS data, POSCAR, CIF, PDB, GRO, MOL2, inputs of "
-               "DFTB+, Quantum ESPRESSO and CP2K",
+    .meaning =
+        "Writes atoms in another format: LAMMPS data, POSCAR, CIF, PDB, GRO, MOL2, inputs of "
+        "DFTB+, Quantum ESPRESSO and CP2K",
     .run = run};
 
 }  // namespace trivalent::apps

@@ -4,6 +4,7 @@
 #include "file_options.h"
 #include "files.h"
 #include "lammps_options.h"
+#include "potential_options.h"
 #include "session.h"
 #include "structure_options.h"
 #include "trivalent/formats/lammps_package.h"
@@ -28,6 +29,7 @@ Grammar grammar_of_lammps() {
       ("atoms-per-file", with_default(defaults.atoms_per_file),
        "write data of more atoms in parts, >= 1")  //
       ("potential-file", po::value<std::string>(), "CH.rebo; default: LAMMPS finds it");
+  add_pair_options(grammar.options);
   add_file_options(grammar.options);
   add_structure_options(grammar.options, input_style);
   return grammar;
@@ -43,6 +45,7 @@ dual::LammpsPackageOptions package_options(const Session& session) {
   const auto compression = session.has("gzip") ? dual::Compression::gzip : dual::Compression::none;
   return {.data = {.style = atom_style(session), .angles = has_angles, .digits = digits(session)},
           .potential_file = potential_file(session, lammps),
+          .pair_style = pair_style(session),
           .compression = compression,
           .atoms_per_file = session.get<std::size_t>("atoms-per-file")};
 }
@@ -85,6 +88,10 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const dual::LammpsPackageOptions options = package_options(*session);
   const std::filesystem::path folder = session->get<std::string>("output");
   check_folder(folder);
+  if (options.pair_style && !shell::has_pair_style(options.pair_style->style)) {
+    session->terminal.note("note: the LAMMPS of this machine has no pair_style " +
+                           options.pair_style->style + "; the scripts need one that has it");
+  }
 
   dual::Structure structure =
       read_structure(session->get<std::string>("NETWORK"), reading, session->terminal);
@@ -100,7 +107,9 @@ int run(const Command& self, std::span<const std::string> arguments) {
 
 const Command lammps_command = {
     .name = "lammps",
-    .synopsis = "NETWORK -o DIR [--atom-style molecular [--angles]] [--gzip] [options]",
+    .synopsis =
+        "NETWORK -o DIR [--atom-style molecular [--angles]] [--gzip] [--pair-style STYLE "
+        "--pair-coeff ARGUMENTS] [options]",
     .meaning =
         "Writes a folder with which LAMMPS can start: data, and input scripts that check, "
         "relax and run it",

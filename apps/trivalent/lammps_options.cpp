@@ -24,16 +24,16 @@ void add_engine_options(po::options_description& options) {
 
 shell::LammpsOptions lammps_options(const Session& session,
                                     const shell::PotentialChoice& potential) {
-  const auto same = shell::find_potential(potential).lammps;
-  if (!same) {
+  if (!potential.pair_style && !shell::find_potential(potential).lammps) {
     throw UsageError("LAMMPS is asked for the potentials rebo and airebo only, not " +
-                     potential.name);
+                     potential.name + "; --pair-style names any of its own");
   }
-  shell::LammpsOptions options = {.ranks = session.get<int>("ranks"), .potential = *same};
+  shell::LammpsOptions options =
+      shell::lammps_options("lammps", potential, {.ranks = session.get<int>("ranks")});
   if (options.ranks < 1) throw UsageError("--ranks must be at least 1");
   if (const auto file = session.find<std::string>("potential-file")) options.potential_file = *file;
   shell::require_lammps(options);
-  static_cast<void>(potential_file(session, options));
+  if (!options.pair_style) static_cast<void>(potential_file(session, options));
   return options;
 }
 
@@ -42,6 +42,7 @@ std::optional<shell::LammpsOptions> engine_options(const Session& session,
   if (named_value(session, "engine", engines) == Engine::lammps) {
     return lammps_options(session, potential);
   }
+  if (potential.pair_style) throw UsageError("--pair-style goes with --engine lammps");
   refuse_lammps_options(session, "--engine lammps");
   return std::nullopt;
 }

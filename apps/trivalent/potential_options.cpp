@@ -26,6 +26,27 @@ void add_potential_options(po::options_description& options) {
       ("lj-sigma", with_default(lj.sigma), "lj: distance of zero energy [Å]")  //
       ("lj-cutoff", with_default(lj.cutoff), "lj: range [Å]")                  //
       ("lj-shift", "lj: shift energies to 0 at the cutoff");
+  add_pair_options(options);
+}
+
+void add_pair_options(po::options_description& options) {
+  options.add_options()  //
+      ("pair-style", po::value<std::string>(),
+       "any other potential of LAMMPS, as its command pair_style takes it: tersoff, lcbop, "
+       "\"airebo "
+       "3.0 1 1\", ...")  //
+      ("pair-coeff", po::value<std::vector<std::string>>(),
+       "arguments of pair_coeff, as in \"* * BNC.tersoff C\"; may be given again");
+}
+
+std::optional<dual::PairStyle> pair_style(const Session& session) {
+  const auto style = session.find<std::string>("pair-style");
+  const auto coefficients = session.find<std::vector<std::string>>("pair-coeff");
+  if (style.has_value() != coefficients.has_value()) {
+    throw UsageError("--pair-style and --pair-coeff go together");
+  }
+  if (!style) return std::nullopt;
+  return dual::PairStyle{.style = *style, .coefficients = *coefficients};
 }
 
 shell::PotentialChoice potential_choice(const Session& session) {
@@ -33,7 +54,11 @@ shell::PotentialChoice potential_choice(const Session& session) {
                                    .lennard_jones = {.epsilon = session.get<double>("lj-epsilon"),
                                                      .sigma = session.get<double>("lj-sigma"),
                                                      .cutoff = session.get<double>("lj-cutoff"),
-                                                     .shift = session.has("lj-shift")}};
+                                                     .shift = session.has("lj-shift")},
+                                   .pair_style = pair_style(session)};
+  if (choice.pair_style && !session.values["potential"].defaulted()) {
+    throw UsageError("--potential and --pair-style name two potentials; give one");
+  }
   try {
     static_cast<void>(shell::find_potential(choice));
   } catch (const dual::InvalidOption& error) {

@@ -44,7 +44,7 @@ TEST_F(DualCommand, RefusesWhatMakesNoSense) {
   expect_failure(2, "bond", "dual torus.off a.data --bond 0");
   expect_failure(2, "--digits", "dual torus.off a.data --digits 6");
   expect_failure(2, "--atom-style", "dual torus.off a.data --atom-style full");
-  expect_failure(2, "extension", "dual torus.off a.pdb");
+  expect_failure(2, "extension", "dual torus.off a.docx");
   expect_failure(1, "missing.off", "dual missing.off a.data");
   write("empty.off", "OFF\n0 0 0\n");
   expect_failure(1, "empty", "dual empty.off a.data");

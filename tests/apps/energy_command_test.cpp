@@ -51,7 +51,7 @@ TEST_F(EnergyCommand, ReadsAtomsWhoseFormatIsNamed) {
   ASSERT_EQ(piped.exit_code, 0) << piped.err;
   EXPECT_NEAR(piped.json()["energy"], energy, tolerance);
   expect_failure(2, "--format does", "energy -");
-  expect_failure(2, "known are extxyz, lammps-data", "energy plain --format pdb");
+  expect_failure(2, "known are extxyz, lammps-data", "energy plain --format docx");
   expect_failure(2, "mean nothing for a mesh", "energy s.off --frame 2");
 }
 
@@ -164,7 +164,7 @@ TEST_F(EnergyCommand, RefusesWhatMakesNoSense) {
   write("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");
   expect_failure(2, "--potential", "energy two.xyz --potential tersoff");
   expect_failure(2, "--periodic", "energy two.xyz --periodic abc");
-  expect_failure(2, "extension", "energy two.xyz -o out.pdb");
+  expect_failure(2, "extension", "energy two.xyz -o out.docx");
   expect_failure(2, "--worst", "energy two.xyz --worst -1");
   expect_failure(2, "sigma", "energy two.xyz --potential lj --lj-sigma 0");
   expect_failure(1, "missing.xyz", "energy missing.xyz");

@@ -1,4 +1,4 @@
-// Feeds bytes to the readers of atoms, extended XYZ and LAMMPS data, through a file in memory.
+// Feeds bytes to the readers of all formats of atoms, through a file in memory.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -9,8 +9,7 @@
 #include <string>
 
 #include "trivalent/dual/error.h"
-#include "trivalent/formats/lammps_data.h"
-#include "trivalent/formats/xyz.h"
+#include "trivalent/formats/structure_format.h"
 
 namespace {
 
@@ -33,8 +32,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int file = memfd_create("atoms", 0);
   if (file < 0 || write(file, data, size) != static_cast<ssize_t>(size)) std::abort();
   const std::filesystem::path path = "/proc/self/fd/" + std::to_string(file);
-  try_to_read([&] { return dual::read_xyz(path).structure.atoms; });
-  try_to_read([&] { return dual::read_lammps_data(path).structure.atoms; });
+  for (const dual::StructureFormat& format : dual::structure_formats()) {
+    try_to_read([&] { return format.read(path, {}).structure.atoms; });
+  }
   close(file);
   return 0;
 }

@@ -55,7 +55,21 @@ SEEDS = {
               '2\nlattice = [[2, 0, 0], [0, 3d0, 0], [0, 0, 4]] pbc=[T, true, F] "key"={1 2} d="_JSON {\\"a\\": 1}" Properties='
               'Z:I:1:pos:R:3:bonded_atoms:I:1:bonded_images:I:3\n6 0 0 0 1 0 0 0\n1 0 0 1 0 0 0 0\n',
               'c\n\n2 atoms\n1 bonds\n1 atom types\n2 0 0 avec\n0 2 0 bvec\n0 0 2 cvec\n1 1 1 abc origin\n\nAtom Type Labels\n\n1 C\n'
-              '\nMasses\n\nC 12.011 # C\n\nAtoms # full\n\n1 1 C 0 0 0 0 1 0 0\n3 1 1 0 1 1 1 0 0 0\n\nBonds\n\n1 C-C 1 3\n'],
+              '\nMasses\n\nC 12.011 # C\n\nAtoms # full\n\n1 1 C 0 0 0 0 1 0 0\n3 1 1 0 1 1 1 0 0 0\n\nBonds\n\n1 C-C 1 3\n',
+              't\n2.0\n1 0 0\n0 1 0\n0 0 1\nC H\n1 1\nSelective\nDirect\n0 0 .5 T T F\n.5 0 0 F F F\n',
+                '2 F\nC H\n1 1 0 0 0\n2 2 .5 .5 .5\n0 0 0\n2 0 0\n0 2 0\n0 0 2\n',
+                't\n1\n    1CNT     C1    1   0.100   0.200   0.300\n   1.0 1.0 2.0 0 0 0.1 0 0 0\n',
+                'CRYST1    9.000    9.000    9.000  90.00  90.00  90.00 P 1           1\nMODEL 1\nHETATM    1  C   UNL A   1       '
+                '1.000   2.000   3.000  1.00  0.00           C\nHETATMA0000  H   UNL A   1       1.000   2.000   4.000\n'
+                'CONECT    1A0000\nENDMDL\n',
+                '@<TRIPOS>MOLECULE\nm\n2 1\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n1 C1 0 0 0 C.ar\n2 H 0 0 1 H\n@<TRIPOS>BOND\n1 1 2 1\n'
+                '@<TRIPOS>CRYSIN\n9 9 9 90 90 120 1 1\n',
+                '&system\nibrav=0, celldm(1) = 2.0, nat=1\n/\nCELL_PARAMETERS {alat}\n5 0 0\n0 5 0\n0 0 5\nATOMIC_POSITIONS crystal\n'
+                'C1 0.5 0 0 ! a\n',
+                '&CELL\nABC [bohr] 9 9 9\nALPHA_BETA_GAMMA 90 90 120\nPERIODIC XY\n&END CELL\n&COORD\nSCALED\nC .5 0 0\n&END COORD\n',
+                "data_a\n_cell_length_a 4\n_cell_length_b 4\n_cell_length_c 4\n_cell_angle_alpha 90\n_cell_angle_beta 90\n"
+                "_cell_angle_gamma 90\n_space_group_name_H-M_alt 'P -1'\nloop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
+                "_atom_site_fract_z\nC1 0.1 .2(1) 0\n"],
     'options': ['sphere:radius=2\n--method\npaper\n--rings\n1\n--sigma=0.4\n', '--method\ncrystal\n-\n--effort=quick\n--seed=3\n--json\n',
                 'a.off\n--method\npaper\n--restriction\nleast-squares\n--iterations\n3\n--feature-angle\n40\n--quiet\n'],
     'repair': ['\1\0\2\6\0\2\7\2\6\0', '\0' + ''.join(chr(k) for k in range(54))],

@@ -123,7 +123,13 @@ TEST(StructureFormats, ReadBackWhatTheyWrite) {
     for (const std::string& extension : format.extensions) {
       const auto path = folder.path() / ("c20" + extension);
       write_structure(path, c20(), {.digits = Digits::seventeen_significant});
-      EXPECT_EQ(shell::read_structure(path).structure.atoms.positions, c20().atoms.positions);
+      const Structure back = shell::read_structure(path).structure;
+      ASSERT_EQ(back.atoms.size(), 20u);
+      for (std::size_t i = 0; i < 20; ++i) {  // some put a corner of the cell at the origin
+        const Eigen::Vector3d moved = back.atoms.positions[i] - back.atoms.positions[0];
+        const Eigen::Vector3d expected = c20().atoms.positions[i] - c20().atoms.positions[0];
+        EXPECT_LE((moved - expected).norm(), format.name == "pdb" ? 2e-3 : 1e-8) << format.name;
+      }
       const auto renamed = folder.path() / "renamed";
       std::filesystem::rename(path, renamed);
       EXPECT_EQ(shell::read_structure(renamed, {.format = format.name}).structure.atoms.size(),
@@ -163,8 +169,8 @@ TEST(StructureFormats, RefuseOptionsOfOthers) {
 }
 
 TEST(StructureFormats, SayWhatTheyDoNotKnow) {
-  EXPECT_THROW(static_cast<void>(structure_format("pdb")), InvalidOption);
-  EXPECT_THROW(write_structure("a.pdb", c20()), InvalidOption);
+  EXPECT_THROW(static_cast<void>(structure_format("docx")), InvalidOption);
+  EXPECT_THROW(write_structure("a.docx", c20()), InvalidOption);
   EXPECT_THROW(static_cast<void>(shell::read_structure("-")), InvalidOption);
   EXPECT_THROW(static_cast<void>(shell::read_structure("a.off", {.reading = {.frame = 2}})),
                InvalidOption);

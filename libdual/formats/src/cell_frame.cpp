@@ -43,9 +43,8 @@ CellFrame general_frame(const potentials::Atoms& atoms) {
 
 CellFrame triangular_frame(const potentials::Atoms& atoms) {
   LammpsFrame there = lammps_frame(atoms);
-  CellFrame frame = {.positions = std::move(there.atoms.positions),
-                     .cell = there.atoms.box.cell,
-                     .notes = {}};
+  CellFrame frame = {
+      .positions = std::move(there.atoms.positions), .cell = there.atoms.box.cell, .notes = {}};
   for (Eigen::Vector3d& x : frame.positions) x -= there.atoms.box.origin;
   if (there.is_rotated()) {
     frame.notes.emplace_back("the atoms were rotated: a is along x, b in the xy plane");

@@ -29,7 +29,8 @@ class GenReader {
     if (kind != 'c' && kind != 's' && kind != 'f') {
       lines_.fail("the kind of boundary is C, S or F, not ", in_quotes(fields_[1]));
     }
-    const auto n_atoms = lines_.integer(fields_[0], 0, static_cast<std::int64_t>(lines_.n_remaining()));
+    const auto n_atoms =
+        lines_.integer(fields_[0], 0, static_cast<std::int64_t>(lines_.n_remaining()));
     read_elements();
     for (std::int64_t i = 0; i < n_atoms; ++i) read_atom(i);
     if (kind != 'c') read_cell(kind == 'f');

@@ -15,7 +15,7 @@
 namespace trivalent::dual {
 namespace {
 
-constexpr double nanometer = 10.0;          // [Å]
+constexpr double nanometer = 10.0;            // [Å]
 constexpr std::size_t first_coordinate = 20;  // column, behind residue, names and number
 
 /// Where the components of a box line stand: v1x v2y v3z v1y v1z v2x v2z v3x v3y.

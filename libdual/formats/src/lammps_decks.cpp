@@ -20,20 +20,37 @@ void check_file_name(std::string_view name) {
       concat("write_lammps_deck: LAMMPS cannot read a file called ", in_quotes(name)));
 }
 
+void check_arguments(std::string_view arguments) {
+  std::vector<std::string_view> words;
+  split_fields(arguments, words);
+  if (words.empty()) throw InvalidOption("write_lammps_deck: a pair_style or pair_coeff is empty");
+  for (const std::string_view word : words) check_file_name(word);
+}
+
 void check_options(const LammpsDeckOptions& options) {
   if (options.data_files.empty()) {
     throw InvalidOption("write_lammps_deck: there is no data file to read");
   }
   for (const std::string& name : options.data_files) check_file_name(name);
   check_file_name(options.potential_file);
+  if (!options.pair_style) return;
+  check_arguments(options.pair_style->style);
+  for (const std::string& coefficients : options.pair_style->coefficients) {
+    check_arguments(coefficients);
+  }
 }
 
 void write_head(std::ostream& out, std::string_view purpose, const LammpsDeckOptions& options) {
-  out << "# " << purpose << "\n# Run in this folder:  lmp -in THIS_FILE\n"
-      << "# If the potential file is elsewhere, add:  -var potential FILE\n";
+  out << "# " << purpose << "\n# Run in this folder:  lmp -in THIS_FILE\n";
+  if (!options.pair_style) {
+    out << "# If the potential file is elsewhere, add:  -var potential FILE\n";
+  }
   const bool has_one_file = options.data_files.size() == 1;
   if (has_one_file) out << "# To read other data, add:  -var data FILE\n";
-  out << "\nvariable     potential index " << options.potential_file << '\n';
+  out << '\n';
+  if (!options.pair_style) {
+    out << "variable     potential index " << options.potential_file << '\n';
+  }
   if (has_one_file) out << "variable     data index " << options.data_files.front() << '\n';
   out << '\n';
 }
@@ -68,6 +85,14 @@ void write_system(std::ostream& out, const LammpsDeckOptions& options) {
   write_data_commands(out, options);
   if (is_molecular) out << "bond_coeff   *\n";
   if (has_angles) out << "angle_coeff  *\n";
+  if (options.pair_style) {
+    out << "pair_style   " << options.pair_style->style << '\n';
+    for (const std::string& coefficients : options.pair_style->coefficients) {
+      out << "pair_coeff   " << coefficients << '\n';
+    }
+    out << '\n';
+    return;
+  }
   const bool is_rebo = options.potential == LammpsPotential::rebo;
   out << "pair_style   " << (is_rebo ? "rebo" : "airebo 3.0 1 1") << "\n"
       << "pair_coeff   * * ${potential} C" << (options.has_hydrogen ? " H" : "") << "\n\n";
@@ -193,7 +218,10 @@ void write_handover(std::ostream& out) {
 
 void write_lammps_check(std::ostream& out, const LammpsDeckOptions& options) {
   check_options(options);
-  write_head(out, "Computes the REBO energy and compares it with the one found by trivalent.",
+  write_head(out,
+             options.expected_energy
+                 ? "Computes the REBO energy and compares it with the one found by trivalent."
+                 : "Computes the energy once.",
              options);
   write_system(out, options);
   write_energy(out);

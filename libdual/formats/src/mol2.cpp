@@ -152,9 +152,12 @@ std::vector<std::string> write_mol2(std::ostream& out, const Structure& structur
   }
   out << "@<TRIPOS>BOND\n";
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto is_aromatic = [&](int atom) { return types[static_cast<std::size_t>(atom)] == "C.ar"; };
+    const auto is_aromatic = [&](int atom) {
+      return types[static_cast<std::size_t>(atom)] == "C.ar";
+    };
     const bool is_ring = is_aromatic(pairs[k][0]) && is_aromatic(pairs[k][1]);
-    out << k + 1 << ' ' << pairs[k][0] + 1 << ' ' << pairs[k][1] + 1 << (is_ring ? " ar\n" : " 1\n");
+    out << k + 1 << ' ' << pairs[k][0] + 1 << ' ' << pairs[k][1] + 1
+        << (is_ring ? " ar\n" : " 1\n");
   }
   if (!atoms.box.is_periodic()) return std::move(frame.notes);
   const CellAngles parameters = cell_angles(frame.cell);

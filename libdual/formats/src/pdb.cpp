@@ -69,9 +69,8 @@ class PdbReader {
     if (parameters.lengths == std::array{1.0, 1.0, 1.0}) return;
     potentials::Box& box = structure_.atoms.box;
     box.cell = cell_of(parameters);
-    if (!box.cell.allFinite() || std::ranges::any_of(parameters.lengths, [](double length) {
-          return length <= 0.0;
-        })) {
+    if (!box.cell.allFinite() ||
+        std::ranges::any_of(parameters.lengths, [](double length) { return length <= 0.0; })) {
       lines_.fail("no cell has these lengths and angles");
     }
     box.periodic = {true, true, true};

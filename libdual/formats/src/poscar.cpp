@@ -55,7 +55,8 @@ class PoscarReader {
     if (fields_.size() != 1 && fields_.size() != 3) lines_.fail("expected 1 or 3 scales");
     Eigen::Vector3d scale;
     for (int i = 0; i < 3; ++i) {
-      scale[i] = lines_.fortran_real(fields_[fields_.size() == 3 ? static_cast<std::size_t>(i) : 0]);
+      scale[i] =
+          lines_.fortran_real(fields_[fields_.size() == 3 ? static_cast<std::size_t>(i) : 0]);
     }
     const std::size_t line_of_scale = lines_.line_number();
     Eigen::Matrix3d& cell = file_.structure.atoms.box.cell;
@@ -154,7 +155,8 @@ class PoscarReader {
 /// Flags that came with the atoms, if they did.
 const std::vector<std::array<int, 3>>* find_flags(const Structure& structure) {
   for (const Column& column : structure.columns) {
-    if (column.name == flags_name) return std::get_if<std::vector<std::array<int, 3>>>(&column.values);
+    if (column.name == flags_name)
+      return std::get_if<std::vector<std::array<int, 3>>>(&column.values);
   }
   return nullptr;
 }
@@ -213,7 +215,8 @@ std::vector<std::string> write_poscar(std::ostream& out, const Structure& struct
       line += ' ';
       append_real(line, fraction, Digits::seventeen_significant);
     }
-    for (std::size_t k = 0; flags != nullptr && k < 3; ++k) line += (*flags)[i][k] != 0 ? " T" : " F";
+    for (std::size_t k = 0; flags != nullptr && k < 3; ++k)
+      line += (*flags)[i][k] != 0 ? " T" : " F";
     line += '\n';
     out << line;
   }

@@ -55,8 +55,8 @@ class CifReader {
 
   void read_cell() {
     const std::string prefix = is_macromolecular_ ? "_cell." : "_cell_";
-    cif::Table table = block_.find(prefix, {"length_a", "length_b", "length_c", "angle_alpha",
-                                            "angle_beta", "angle_gamma"});
+    cif::Table table = block_.find(
+        prefix, {"length_a", "length_b", "length_c", "angle_alpha", "angle_beta", "angle_gamma"});
     if (!table.ok()) {
       if (is_macromolecular_) return;
       fail("there is no cell (_cell_length_a, ...)");
@@ -101,22 +101,23 @@ class CifReader {
                                                const std::string& label) const {
     // C4+ and C13 have an element, too.
     const auto element = element_of_symbol(symbol.substr(0, symbol.find_first_of("0123456789+-")));
-    if (!element) fail("site ", label, ": element ", in_quotes(symbol),
-                       "; the potentials know C and H");
+    if (!element)
+      fail("site ", label, ": element ", in_quotes(symbol), "; the potentials know C and H");
     return *element;
   }
 
   void check_occupancy(const cif::Table::Row& row, int column, const std::string& label) const {
     if (!row.has2(static_cast<std::size_t>(column))) return;
-    const double occupancy = number(row[static_cast<std::size_t>(column)], "the occupancy of " + label);
+    const double occupancy =
+        number(row[static_cast<std::size_t>(column)], "the occupancy of " + label);
     if (std::abs(occupancy - 1.0) < 1e-3) return;
     fail("site ", label, " is occupied by ", occupancy,
          "; disordered structures have no atoms to compute with");
   }
 
   void read_fractional_sites() {
-    cif::Table table = block_.find("_atom_site_", {"label", "fract_x", "fract_y", "fract_z",
-                                                   "?type_symbol", "?occupancy"});
+    cif::Table table = block_.find(
+        "_atom_site_", {"label", "fract_x", "fract_y", "fract_z", "?type_symbol", "?occupancy"});
     if (!table.ok() || table.length() == 0) fail("there are no sites (_atom_site_fract_x, ...)");
     std::unordered_map<std::string, std::uint32_t> atom_of_label;
     for (const cif::Table::Row row : table) {
@@ -155,9 +156,9 @@ class CifReader {
   }
 
   void read_bonds(const std::unordered_map<std::string, std::uint32_t>& atom_of_label) {
-    for (const cif::Table::Row row :
-         block_.find("_geom_bond_", {"atom_site_label_1", "atom_site_label_2", "?site_symmetry_2",
-                                     "?site_symmetry_1"})) {
+    for (const cif::Table::Row row : block_.find(
+             "_geom_bond_",
+             {"atom_site_label_1", "atom_site_label_2", "?site_symmetry_2", "?site_symmetry_1"})) {
       const auto first = atom_of_label.find(row.str(0));
       const auto second = atom_of_label.find(row.str(1));
       if (first == atom_of_label.end() || second == atom_of_label.end()) {
@@ -211,7 +212,8 @@ class CifReader {
 };
 
 bool has_atoms(cif::Block& block) {
-  return bool(block.find_values("_atom_site_fract_x")) || bool(block.find_values("_atom_site.Cartn_x"));
+  return bool(block.find_values("_atom_site_fract_x")) ||
+         bool(block.find_values("_atom_site.Cartn_x"));
 }
 
 StructureFile read_document(cif::Document& document, const TextSource& source,

@@ -22,9 +22,9 @@ using potentials::Species;
 /// What a CIF says of a structure.
 struct CifContent {
   Eigen::Matrix3d cell;
-  std::string space_group = "P 1";                ///< Hermann-Mauguin
+  std::string space_group = "P 1";  ///< Hermann-Mauguin
   std::vector<std::string> operations = {"x,y,z"};
-  std::vector<Vector3d> fractions = {};           ///< of the sites
+  std::vector<Vector3d> fractions = {};  ///< of the sites
   std::vector<Species> species = {};
   std::vector<potentials::Bond> bonds = {};
 };
@@ -126,8 +126,7 @@ std::vector<gemmi::Op> operations_of(int hall_number) {
       for (std::size_t k = 0; k < 3; ++k) {
         operation.rot[row][k] = gemmi::Op::DEN * rotations[i][row][k];
       }
-      operation.tran[row] =
-          static_cast<int>(std::lround(gemmi::Op::DEN * translations[i][row]));
+      operation.tran[row] = static_cast<int>(std::lround(gemmi::Op::DEN * translations[i][row]));
     }
     operations.push_back(operation);
   }
@@ -195,15 +194,14 @@ std::vector<std::string> write_cif(std::ostream& out, const Structure& structure
   CifContent content = {.cell = frame.cell};
   if (options.symmetry_tolerance) {
     content = symmetric_content(frame, atoms, *options.symmetry_tolerance);
-    frame.notes.push_back(concat("the conventional cell of ", content.space_group, " is written, with ",
-                                 content.fractions.size(), " sites for ", atoms.size(),
-                                 " atoms; bonds are left out"));
+    frame.notes.push_back(concat("the conventional cell of ", content.space_group,
+                                 " is written, with ", content.fractions.size(), " sites for ",
+                                 atoms.size(), " atoms; bonds are left out"));
   } else {
     const Eigen::Matrix3d inverse = frame.cell.inverse();
     for (const Vector3d& x : frame.positions) content.fractions.emplace_back(inverse * x);
     content.species = atoms.species;
-    const bool is_c_reversed =
-        atoms.box.is_periodic() && atoms.box.cell.determinant() < 0.0;
+    const bool is_c_reversed = atoms.box.is_periodic() && atoms.box.cell.determinant() < 0.0;
     content.bonds = bonds_of(structure, is_c_reversed, frame.notes);
   }
   write_content(out, content);

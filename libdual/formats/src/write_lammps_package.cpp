@@ -69,8 +69,10 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, const Lammps
     out << (&name == &deck.data_files.front() ? "`" : ", `") << name << '`';
   }
   out << " | the atoms |\n"
-      << "| `in.check` | computes the energy and compares it with the one found by trivalent; ends "
-         "with status 1 if they differ |\n"
+      << "| `in.check` | computes the energy"
+      << (deck.expected_energy ? " and compares it with the one found by trivalent; ends with "
+                                 "status 1 if they differ |\n"
+                               : " once |\n")
       << "| `in.relax` | minimizes the energy, writes `relaxed.data` |\n"
       << "| `in.md` | 300 K: 1,000 steps to warm up, 2,000 at constant energy; writes `md.dump` "
          "and "
@@ -82,12 +84,18 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, const Lammps
     out << "From the relaxed atoms, hotter and longer:\n\n"
         << "    lmp -in in.md -var data relaxed.data -var temperature 1000 -var steps 100000\n\n";
   }
-  out << "The potential file `CH.rebo` comes with LAMMPS. LAMMPS looks for it here and in the "
-         "folder "
-         "`LAMMPS_POTENTIALS`\n(Debian: `/usr/share/lammps/potentials`); `-var potential FILE` "
-         "names "
-         "another place.\n\n"
-      << "Relax before dynamics: bonds of an unrelaxed shell scatter, and start with much too much "
+  if (deck.pair_style) {
+    out << "The potential is `pair_style " << deck.pair_style->style
+        << "`. LAMMPS looks for its files here and in the folder `LAMMPS_POTENTIALS`; `lmp -help` "
+           "lists the pair styles that it was built with.\n\n";
+  } else {
+    out << "The potential file `CH.rebo` comes with LAMMPS. LAMMPS looks for it here and in the "
+           "folder "
+           "`LAMMPS_POTENTIALS`\n(Debian: `/usr/share/lammps/potentials`); `-var potential FILE` "
+           "names "
+           "another place.\n\n";
+  }
+  out << "Relax before dynamics: bonds of an unrelaxed shell scatter, and start with much too much "
          "energy.\n\n"
       << "## Many processes\n\n"
       << "- One process reads the data file. Read it once, `write_restart`, and go on from there "
@@ -95,7 +103,8 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, const Lammps
       << "- A shell is hollow: `comm_style tiled` and `balance 1.1 rcb` after `read_data` give "
          "every "
          "process its share.\n"
-      << "- `pair_style rebo` has no KOKKOS variant. Where LAMMPS has the packages OPENMP or "
+      << "- `pair_style rebo` and `airebo` have no KOKKOS variant. Where LAMMPS has the packages "
+         "OPENMP or "
          "INTEL, "
          "`-sf omp` or\n  `-sf intel` use them; otherwise one MPI process per core.\n"
       << "- Hydrogen vibrates twice as fast as carbon: halve the time step in `in.md`.\n";
@@ -114,13 +123,14 @@ LammpsPackage write_lammps_package(const fs::path& folder, const Structure& stru
   const LammpsFrame frame = lammps_frame(structure.atoms);
   const Structure turned = {.atoms = frame.atoms, .bonds = structure.bonds};
   std::vector<std::string> names = write_data_files(folder, turned, options);
-  const LammpsDeckOptions deck = {.data_files = names,
-                                  .style = options.data.style,
-                                  .angles = options.data.angles,
-                                  .periodic = structure.atoms.box.periodic,
-                                  .has_hydrogen = has_hydrogen(structure.atoms),
-                                  .potential_file = options.potential_file,
-                                  .expected_energy = energy};
+  LammpsDeckOptions deck = {.data_files = names,
+                            .style = options.data.style,
+                            .angles = options.data.angles,
+                            .periodic = structure.atoms.box.periodic,
+                            .has_hydrogen = has_hydrogen(structure.atoms),
+                            .potential_file = options.potential_file,
+                            .pair_style = options.pair_style};
+  if (!options.pair_style) deck.expected_energy = energy;
   const auto write = [&](const std::string& name, const auto& contents) {
     remesh::write_whole_file(folder / name, contents);
     names.push_back(name);

@@ -36,6 +36,13 @@ remesh::RemeshMethod method_at_rest(remesh::RemeshMethod method) {
   return method;
 }
 
+/// The method for a net with so many faces.
+remesh::RemeshMethod with_faces(remesh::RemeshMethod method, double faces) {
+  auto* crystal = std::get_if<remesh::CrystalOptions>(&method);
+  if (crystal != nullptr) crystal->wanted_faces = faces;
+  return method;
+}
+
 /// [Å per unit of the mesh], where the size says it.
 double given_scale(const TriMesh& mesh, const ShellSize& size) {
   const auto* side = std::get_if<LongestSide>(&size);
@@ -106,7 +113,7 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
   while (true) {
     remesh::RemeshResult surface;
     try {
-      surface = remesh::remesh_by(mesh, method_at_rest(progress.next()), target);
+      surface = remesh::remesh_by(mesh, with_faces(method_at_rest(progress.next()), atoms), target);
     } catch (const remesh::InvalidOption&) {
       if (shell.remeshings == 0) throw;
       break;  // the corrected length is more than a part can hold

@@ -107,9 +107,18 @@ void compare_with_file(const dual::Structure& structure, Certificate& certificat
   }
 }
 
+/// By LAMMPS where nobody else knows the potential.
+potentials::EnergyForces evaluate(const potentials::Atoms& atoms, const CertifyOptions& options) {
+  if (!options.potential.pair_style || !options.lammps) {
+    return make_potential(options.potential)->evaluate(atoms);
+  }
+  return run_lammps(atoms, {}, lammps_options("certify", options.potential, *options.lammps))
+      .result;
+}
+
 void check_energies(const dual::Structure& structure, const CertifyOptions& options,
                     Certificate& certificate) {
-  certificate.energy = make_potential(options.potential)->evaluate(structure.atoms);
+  certificate.energy = evaluate(structure.atoms, options);
   certificate.summary = dual::summarize_energies(certificate.energy.energies, n_worst);
   for (const Eigen::Vector3d& force : certificate.energy.forces) {
     certificate.largest_force = std::max(certificate.largest_force, force.norm());
@@ -124,8 +133,7 @@ void check_energies(const dual::Structure& structure, const CertifyOptions& opti
 
 void compare_with_lammps(const potentials::Atoms& atoms, const CertifyOptions& options,
                          Certificate& certificate) {
-  LammpsOptions lammps = *options.lammps;
-  lammps.potential = find_potential(options.potential).lammps.value();
+  const LammpsOptions lammps = lammps_options("certify", options.potential, *options.lammps);
   const potentials::EnergyForces theirs = run_lammps(atoms, {}, lammps).result;
   const potentials::EnergyForces& ours = certificate.energy;
   LammpsDifference largest;
@@ -156,11 +164,9 @@ DistanceSummary summarize(const std::vector<double>& distances) {
 
 void check_options(const CertifyOptions& options) {
   if (!(options.max_force > 0.0)) throw dual::InvalidOption("certify: max_force must be > 0");
-  const KnownPotential& potential = find_potential(options.potential);
-  if (options.lammps && !potential.lammps) {
-    throw dual::InvalidOption("certify: LAMMPS is not asked for the potential " +
-                              std::string(potential.name));
-  }
+  static_cast<void>(find_potential(options.potential));
+  if (options.lammps)
+    static_cast<void>(lammps_options("certify", options.potential, *options.lammps));
 }
 
 }  // namespace
@@ -168,7 +174,7 @@ void check_options(const CertifyOptions& options) {
 Certificate certify(const dual::Structure& structure, const CertifyOptions& options) {
   check_options(options);
   Certificate certificate;
-  certificate.potential = options.potential.name;
+  certificate.potential = options.potential.title();
   certificate.bonds = structure.bonds.empty() ? BondSource::distance : BondSource::file;
   check_topology(structure, options.edge, certificate);
   check_energies(structure, options, certificate);
@@ -176,7 +182,8 @@ Certificate certify(const dual::Structure& structure, const CertifyOptions& opti
     certificate.surface_distance =
         summarize(remesh::distances_to_surface(structure.atoms.positions, *options.surface));
   }
-  if (options.lammps) compare_with_lammps(structure.atoms, options, certificate);
+  if (options.lammps && !options.potential.pair_style)
+    compare_with_lammps(structure.atoms, options, certificate);
   return certificate;
 }
 

@@ -14,14 +14,8 @@ namespace {
 
 potentials::EnergyForces energy_of(const potentials::Atoms& atoms, const EvaluateOptions& options) {
   if (!options.lammps) return make_potential(options.potential)->evaluate(atoms);
-  LammpsOptions lammps = *options.lammps;
-  const auto same = find_potential(options.potential).lammps;
-  if (!same) {
-    throw dual::InvalidOption("evaluate: LAMMPS is not asked for the potential " +
-                              options.potential.name);
-  }
-  lammps.potential = *same;
-  return run_lammps(atoms, {}, lammps).result;
+  return run_lammps(atoms, {}, lammps_options("evaluate", options.potential, *options.lammps))
+      .result;
 }
 
 std::map<int, int> coordinations_of(const dual::ShellState& state) {
@@ -44,7 +38,7 @@ Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Evaluation evaluate(dual::Structure structure, const EvaluateOptions& options) {
   if (options.n_worst < 0) throw dual::InvalidOption("evaluate: n_worst must be >= 0");
-  Evaluation result = {.potential = options.potential.name, .forces = options.forces};
+  Evaluation result = {.potential = options.potential.title(), .forces = options.forces};
   if (structure.bonds.empty()) result.bonds = BondSource::distance;
   result.energy = energy_of(structure.atoms, options);
   result.summary = dual::summarize_energies(result.energy.energies, options.n_worst);

@@ -14,6 +14,8 @@
 #include <boost/process/start_dir.hpp>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
+#include <utility>
 
 #include "lammps_output.h"
 #include "trivalent/dual/check_atoms.h"
@@ -52,6 +54,20 @@ bool has_tilts(const potentials::Box& box) {
   return box.cell(0, 1) != 0.0 || box.cell(0, 2) != 0.0 || box.cell(1, 2) != 0.0;
 }
 
+/// LAMMPS works in a folder of its own: files that are here are named by their whole path.
+std::optional<dual::PairStyle> with_whole_paths(std::optional<dual::PairStyle> pair_style) {
+  if (!pair_style) return pair_style;
+  for (std::string& coefficients : pair_style->coefficients) {
+    std::istringstream words(std::exchange(coefficients, {}));
+    for (std::string word; words >> word;) {
+      std::error_code error;
+      if (fs::is_regular_file(word, error)) word = fs::absolute(word).lexically_normal().string();
+      coefficients += (coefficients.empty() ? "" : " ") + word;
+    }
+  }
+  return pair_style;
+}
+
 void write_input(const potentials::Atoms& atoms, const LammpsTask& task, const fs::path& folder,
                  const LammpsOptions& options) {
   dual::write_lammps_data(folder / "atoms.data", {.atoms = atoms},
@@ -60,7 +76,8 @@ void write_input(const potentials::Atoms& atoms, const LammpsTask& task, const f
                                         .periodic = atoms.box.periodic,
                                         .has_hydrogen = dual::has_hydrogen(atoms),
                                         .potential = options.potential,
-                                        .potential_file = find_potential_file(options).name};
+                                        .potential_file = find_potential_file(options).name,
+                                        .pair_style = with_whole_paths(options.pair_style)};
   const dual::LammpsMinimization minimization = {.style = task.style,
                                                  .max_force = task.max_force,
                                                  .max_steps = task.max_steps,
@@ -145,6 +162,25 @@ void require_lammps(const LammpsOptions& options) {
   if (options.ranks < 1) throw dual::InvalidOption("LAMMPS needs at least 1 rank");
   require_program("lmp", "lammps");
   if (options.ranks > 1) require_program("mpirun", "openmpi-bin");
+}
+
+bool has_pair_style(const std::string& style) {
+  const std::string program = bp::search_path("lmp").string();
+  if (program.empty()) return false;
+  bp::ipstream help;
+  bp::child lammps(bp::exe = program, bp::args = {"-help"}, bp::std_out > help,
+                   bp::std_err > bp::null, bp::std_in < bp::null);
+  bool is_known = false;
+  bool is_list = false;
+  for (std::string line; std::getline(help, line);) {
+    if (line.starts_with("* ")) is_list = line.starts_with("* Pair styles");
+    std::istringstream words(line);
+    for (std::string word; is_list && words >> word;) {
+      is_known = is_known || word == style.substr(0, style.find(' '));
+    }
+  }
+  lammps.wait();
+  return is_known;
 }
 
 LammpsPotentialFile find_potential_file(const LammpsOptions& options) {

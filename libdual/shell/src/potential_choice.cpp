@@ -57,24 +57,42 @@ const KnownPotential& find_potential(const PotentialChoice& choice) {
 }
 
 PotentialPointer make_potential(const PotentialChoice& choice) {
+  if (choice.pair_style) {
+    throw dual::InvalidOption("only LAMMPS computes " + choice.title() +
+                              "; --engine lammps asks it");
+  }
   return find_potential(choice).make(choice);
+}
+
+LammpsOptions lammps_options(std::string_view caller, const PotentialChoice& choice,
+                             LammpsOptions options) {
+  options.pair_style = choice.pair_style;
+  if (choice.pair_style) return options;
+  const auto same = find_potential(choice).lammps;
+  if (!same) {
+    throw dual::InvalidOption(std::string(caller) + ": LAMMPS is not asked for the potential " +
+                              choice.name);
+  }
+  options.potential = *same;
+  return options;
 }
 
 std::string exact_text(const PotentialChoice& choice) {
   const auto& lj = choice.lennard_jones;
   std::ostringstream text;
   text.precision(17);
-  text << choice.name << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff << ' '
+  text << choice.title() << ' ' << lj.epsilon << ' ' << lj.sigma << ' ' << lj.cutoff << ' '
        << lj.shift;
   return text.str();
 }
 
 double graphene_reference(const PotentialChoice& choice) {
+  if (choice.pair_style) return 0.0;
   if (is_rebo(choice)) return dual::graphene_energy;
   const potentials::Atoms cell = dual::graphene_cell();
   return make_potential(choice)->evaluate(cell).energy / static_cast<double>(cell.size());
 }
 
-bool is_rebo(const PotentialChoice& choice) { return choice.name == "rebo"; }
+bool is_rebo(const PotentialChoice& choice) { return choice.title() == "rebo"; }
 
 }  // namespace trivalent::shell

@@ -24,10 +24,7 @@ void check_lammps_options(const RelaxOptions& options) {
   if (std::ranges::find(styles, options.lammps->style) == styles.end()) {
     throw dual::InvalidOption("relax: LAMMPS has no min_style '" + options.lammps->style + "'");
   }
-  if (!find_potential(options.potential).lammps) {
-    throw dual::InvalidOption("relax: LAMMPS is not asked for the potential " +
-                              options.potential.name);
-  }
+  static_cast<void>(lammps_options("relax", options.potential, options.lammps->run));
   if (options.trajectory) throw dual::InvalidOption("relax: LAMMPS writes no trajectory");
 }
 
@@ -132,8 +129,7 @@ class OwnRelaxation {
 potentials::RelaxResult relax_with_lammps(const potentials::Atoms& atoms,
                                           const std::vector<potentials::Bond>& bonds,
                                           const RelaxOptions& options) {
-  LammpsOptions run = options.lammps->run;
-  run.potential = find_potential(options.potential).lammps.value();
+  const LammpsOptions run = lammps_options("relax", options.potential, options.lammps->run);
   return run_lammps(atoms,
                     {.style = options.lammps->style,
                      .max_force = options.max_force,
@@ -160,7 +156,7 @@ RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   check_options(options);
   const auto bonds = bonds_of(structure, options);
   RelaxedStructure result;
-  result.potential = options.potential.name;
+  result.potential = options.potential.title();
   if (options.lammps) {
     result.relaxed = relax_with_lammps(structure.atoms, bonds, options);
   } else {

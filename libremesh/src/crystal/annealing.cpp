@@ -53,7 +53,10 @@ struct Decision {
 class Annealing {
  public:
   Annealing(ConstrainedMesh& constrained, const AnnealingOptions& options)
-      : constrained_(constrained), mesh_(constrained.mesh), options_(options) {}
+      : constrained_(constrained),
+        mesh_(constrained.mesh),
+        options_(options),
+        length_(options.length) {}
 
   int run() {
     int moves = 0;
@@ -74,7 +77,7 @@ class Annealing {
         ++moves;
       }
       if ((round + 1) % rounds_per_relaxation == 0) {
-        relax_springs(constrained_, options_.length, sweeps_per_relaxation);
+        relax_springs(constrained_, length_, sweeps_per_relaxation);
         look_again();
       }
       if (options_.after_round && !options_.after_round(round)) break;
@@ -89,8 +92,9 @@ class Annealing {
     mesh_.garbage_collection();
     deviations_ = valence_deviations(mesh_);
     frames_ = motion_frames(constrained_);
-    if (options_.wanted_vertices)
-      excess_ = static_cast<int>(mesh_.n_vertices()) - *options_.wanted_vertices;
+    if (!options_.wanted_vertices) return;
+    excess_ = static_cast<int>(mesh_.n_vertices()) - *options_.wanted_vertices;
+    length_ = mean_edge_length(mesh_);
   }
 
   [[nodiscard]] double rise_of_count(int added) const {
@@ -100,7 +104,7 @@ class Annealing {
   }
 
   [[nodiscard]] double energy_of(const NetPatch& patch) const {
-    return patch.strain(options_.length) + options_.core_energy * patch.topology().disorder();
+    return patch.strain(length_) + options_.core_energy * patch.topology().disorder();
   }
 
   /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
@@ -111,7 +115,7 @@ class Annealing {
     const int disorder = start.topology().disorder();
     // Thin parts have some already.
     const int max_steep = start.steep_corners() + options_.max_new_steep;
-    start.relax(options_.length, sweeps);
+    start.relax(length_, sweeps);
     const double energy = energy_of(start);
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
     NetPatch patch = start;
@@ -125,7 +129,7 @@ class Annealing {
           patch.topology().disorder() > disorder + max_new_disorder)
         continue;
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
-        patch.relax(options_.length, trial.sweeps, start.topology().count_within(trial.rings));
+        patch.relax(length_, trial.sweeps, start.topology().count_within(trial.rings));
         return energy_of(patch) > limit + trial.hopeless;
       });
       if (is_hopeless || patch.steep_corners() > max_steep) continue;
@@ -180,6 +184,7 @@ class Annealing {
   ConstrainedMesh& constrained_;
   TriMesh& mesh_;
   const AnnealingOptions& options_;
+  double length_;  // of an edge without strain
   std::vector<int> deviations_;
   std::vector<MotionFrame> frames_;
   int excess_ = 0;  // vertices more than wanted

@@ -14,7 +14,8 @@ struct AnnealingOptions {
   double core_energy = 0.0;        ///< of a vertex, times (valence - 6)²
   double first_temperature = 0.0;  ///< falls linearly to 0
   int rounds = 0;
-  /// If given, a net with more vertices or fewer is drawn to so many.
+  /// If given, a net with more vertices or fewer is drawn to so many, and edges are without strain
+  /// at their mean length.
   std::optional<int> wanted_vertices = {};
   std::uint64_t seed = 0;
   int min_deviation = 1;  ///< of a valence from 6, for a vertex to be tried

@@ -11,6 +11,7 @@
 #include "crystal/membrane_annealing.h"
 #include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/surface_shape.h"
 
 namespace trivalent::remesh {
 
@@ -39,7 +40,9 @@ constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 2400};
 constexpr int searched_vertices = 2400;
 constexpr int max_searches = 8;
 constexpr int min_ordering_rounds = 600;  // of each of them
-/// After a division defects only find their places.
+/// An order found at four times the length still has pairs to lose at twice the length.
+constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
+/// At the target length defects only find their places.
 constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
@@ -76,6 +79,18 @@ Bond bond_of(Follow follow) {
   throw InvalidOption("crystallize: unknown strength of following");
 }
 
+/// How much weaker the bond is on a smooth shape. Buckling by a given part of the radius costs the
+/// tether R⁴, and gains what scars of pairs cost, R: without this, spheres of more than 10,000
+/// atoms keep their scars. On a sphere of 20,000 atoms an exponent of 4 leaves fewer of them
+/// than 3.
+double slackening(const TriMesh& surface, double area) {
+  constexpr double radius = 40.0;  // [Å] up to which nothing changes
+  constexpr double exponent = 4.0;
+  // 1/H for the root mean square of the mean curvature: the radius of a sphere.
+  const double smoothness = std::sqrt(4.0 * area / bending_integral(surface));
+  return std::min(1.0, std::pow(radius / smoothness, exponent));
+}
+
 class MembraneSearch {
  public:
   MembraneSearch(const SearchSurface& surface, const CrystalOptions& options, SearchWatch& watch)
@@ -85,6 +100,7 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
+        slackening_(options.follow == Follow::close ? 1.0 : slackening(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
 
@@ -139,8 +155,8 @@ class MembraneSearch {
     const double length = level.coarseness * Membrane::fine_length;
     net_.on_surface.restore(whole_surface_);
     const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
-    const std::unique_ptr<Net> net = coarse_starting_net(
-        inflated_surface.value_or(surface_), creases_, area_, starting_options(length));
+    const std::unique_ptr<Net> net = coarse_starting_net(inflated_surface.value_or(surface_),
+                                                         creases_, area_, starting_options(length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
     return true;
@@ -155,8 +171,8 @@ class MembraneSearch {
     double energy = order(levels[level], schedule, searches);
     if (levels[level].coarseness == 4) {
       divide();
-      watch_.expect(rounds_of(settling));
-      energy = anneal_level(levels[level + 1], settling, options_.seed);
+      watch_.expect(rounds_of(refining));
+      energy = anneal_level(levels[level + 1], refining, options_.seed);
     }
     return {energy, net_.on_surface.state()};
   }
@@ -186,8 +202,8 @@ class MembraneSearch {
     const Bond bond = bond_of(options_.follow);
     Membrane membrane;
     membrane.length = level.coarseness * Membrane::fine_length;
-    membrane.tether = bond.tether;
-    membrane.cover = bond.cover;
+    membrane.tether = slackening_ * bond.tether;
+    membrane.cover = slackening_ * bond.cover;
     membrane.slack = bond.slack;
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
@@ -198,7 +214,8 @@ class MembraneSearch {
   /// Vertices of a net that comes to the faces of the target length by divisions.
   [[nodiscard]] int wanted_vertices(const Level& level) const {
     const double face_area = unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
-    const double faces = area_ / face_area / (level.coarseness * level.coarseness);
+    const double faces =
+        options_.wanted_faces.value_or(area_ / face_area) / (level.coarseness * level.coarseness);
     return vertices_for_faces(net_.mesh, faces);
   }
 
@@ -297,6 +314,7 @@ class MembraneSearch {
   const CrystalOptions& options_;
   SearchWatch& watch_;
   double area_;
+  double slackening_;  // of the bond, at most 1
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came
 };

@@ -81,7 +81,7 @@ double energy_of(const TriMesh& mesh, double length) {
 ///
 /// @param crosses  Pairs of faces of the surface itself that cross.
 void finish_on_surface(Net& net, const CrystalOptions& options, int crosses, SearchWatch& watch) {
-  const double m = options.target_edge_length;
+  const double m = options.wanted_faces ? mean_edge_length(net.mesh) : options.target_edge_length;
   // A valence outside 5 to 7 is worth more strain than a pair of other defects.
   anneal(net.on_surface, {.length = m,
                           .core_energy = 1.0,
@@ -253,10 +253,10 @@ class SpringSearch {
     return {.length = length, .effort = options_.effort, .should_stop = watch_.question()};
   }
 
-  /// Vertices of a net that comes to the faces of the target length by divisions.
-  [[nodiscard]] int wanted_vertices(const TriMesh& net, int coarseness) const {
-    const double length = coarseness * options_.target_edge_length;
-    return vertices_for_faces(net, area_ / (unit_triangle_area * length * length));
+  /// Vertices of a net that comes to the wanted faces by divisions, if some are wanted.
+  [[nodiscard]] std::optional<int> wanted_vertices(const TriMesh& net, int coarseness) const {
+    if (!options_.wanted_faces) return std::nullopt;
+    return vertices_for_faces(net, *options_.wanted_faces / (coarseness * coarseness));
   }
 
   [[nodiscard]] int rounds_of(const Stage& stage) const {

@@ -30,6 +30,8 @@ enum class NetRest {
 
 struct CrystalOptions {
   double target_edge_length = 0.0;  ///< m, in the mesh's unit, > 0; must be set by the caller
+  /// Number of faces that the net should have, if that matters more than the length of its edges.
+  std::optional<double> wanted_faces = {};
   Effort effort = Effort::normal;
   std::uint64_t seed = 0;  ///< of the random moves
   Follow follow = Follow::carbon;

@@ -19,9 +19,9 @@ namespace trivalent::dual {
 [[nodiscard]] StructureFile read_gro(const std::filesystem::path& path,
                                      const ReadOptions& options = {});
 
-/// Writes .gro with 3 decimals [nm], 0.01 Å, as all programs read it; with 10 decimals if all digits
-/// are asked for, which GROMACS reads. Numbers of atoms above 99,999 begin again at 0, as GROMACS
-/// writes them. There are no bonds.
+/// Writes .gro with 3 decimals [nm], 0.01 Å, as all programs read it; with 10 decimals if all
+/// digits are asked for, which GROMACS reads. Numbers of atoms above 99,999 begin again at 0, as
+/// GROMACS writes them. There are no bonds.
 ///
 /// @return  Notes on what changed: the cell, periodic directions, decimals.
 /// @throws InvalidOption, InvalidNetwork  if the cell is flat, or a coordinate is not finite or has

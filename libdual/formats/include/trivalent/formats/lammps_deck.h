@@ -17,6 +17,12 @@ enum class LammpsPotential {
   airebo  ///< `airebo 3.0 1 1`: with Lennard-Jones and torsion terms
 };
 
+/// Any other potential of LAMMPS, in its own words.
+struct PairStyle {
+  std::string style;                      ///< arguments of pair_style, as in "tersoff"
+  std::vector<std::string> coefficients;  ///< of each pair_coeff, as in "* * BNC.tersoff C"
+};
+
 /// What an input script needs to know about the data.
 struct LammpsDeckOptions {
   /// As read_data finds them; further ones are parts, added to the first. Must be set.
@@ -26,7 +32,8 @@ struct LammpsDeckOptions {
   std::array<bool, 3> periodic = {false, false, false};
   bool has_hydrogen = false;
   LammpsPotential potential = LammpsPotential::rebo;
-  std::string potential_file = "CH.rebo";  ///< `lmp -var potential FILE` overrides it
+  std::string potential_file = "CH.rebo";    ///< `lmp -var potential FILE` overrides it
+  std::optional<PairStyle> pair_style = {};  ///< instead of the potential and its file
   /// Total of the data under REBO [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its
   /// size.
   std::optional<double> expected_energy = {};
@@ -45,7 +52,8 @@ struct LammpsMinimization {
 
 // LAMMPS input scripts [LAMMPS].
 // @throws InvalidOption if there is no data file, or the name of a file is empty or has a blank,
-//   quote, '$', '&', '#' or control character.
+//   quote, '$', '&', '#' or control character, or an argument of the pair style has one of these
+//   but blanks.
 
 /// Computes the energies per atom once, prints total and mean with 15 digits, and ends with status
 /// 1 if the total is not the expected.

@@ -18,8 +18,9 @@ namespace trivalent::dual {
 [[nodiscard]] StructureFile read_mol2(const std::filesystem::path& path,
                                       const ReadOptions& options = {});
 
-/// Writes a molecule with the bonds that are known. Types of carbon follow its bonds: C.3 with four,
-/// C.ar with three, C.1 with two; bonds of C.ar are aromatic. CRYSIN is written for periodic atoms.
+/// Writes a molecule with the bonds that are known. Types of carbon follow its bonds: C.3 with
+/// four, C.ar with three, C.1 with two; bonds of C.ar are aromatic. CRYSIN is written for periodic
+/// atoms.
 ///
 /// @return  Notes on what changed: the cell, periodic directions, bonds to images.
 /// @throws InvalidOption, InvalidNetwork  if the cell is flat, or a coordinate is not finite.

@@ -9,10 +9,10 @@
 
 namespace trivalent::dual {
 
-/// Reads ATOM, HETATM, CRYST1, CONECT and MODEL records of a PDB file [PDB33]. A cell is periodic in
-/// all directions; the unit cube of CRYST1 stands for none. Bonds lead to the nearest image. Serial
-/// numbers may be of any kind (decimal, hybrid-36): they only have to be different where CONECT
-/// names them.
+/// Reads ATOM, HETATM, CRYST1, CONECT and MODEL records of a PDB file [PDB33]. A cell is periodic
+/// in all directions; the unit cube of CRYST1 stands for none. Bonds lead to the nearest image.
+/// Serial numbers may be of any kind (decimal, hybrid-36): they only have to be different where
+/// CONECT names them.
 ///
 /// @throws FileError      if the file is missing or malformed, or lacks the wanted structure; the
 ///   message names the line.
@@ -21,8 +21,8 @@ namespace trivalent::dual {
                                      const ReadOptions& options = {});
 
 /// Writes HETATM records of a residue UNL, CRYST1 for periodic atoms, and CONECT for the bonds that
-/// are known. Positions have 3 decimals [Å]. Serial numbers above 99,999 are hybrid-36 (A0000, ...),
-/// as cctbx, gemmi and VMD read them.
+/// are known. Positions have 3 decimals [Å]. Serial numbers above 99,999 are hybrid-36 (A0000,
+/// ...), as cctbx, gemmi and VMD read them.
 ///
 /// @return  Notes on what changed: the cell, periodic directions, bonds to images, decimals.
 /// @throws InvalidOption, InvalidNetwork  if the cell is flat, or a coordinate is not finite or has

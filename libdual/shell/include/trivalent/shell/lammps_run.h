@@ -16,6 +16,7 @@ namespace trivalent::shell {
 struct LammpsOptions {
   int ranks = 1;  ///< MPI processes, >= 1
   dual::LammpsPotential potential = dual::LammpsPotential::rebo;
+  std::optional<dual::PairStyle> pair_style = {};  ///< instead of the potential
   /// CH.rebo or CH.airebo; none: LAMMPS finds it.
   std::optional<std::filesystem::path> potential_file = {};
 };
@@ -44,6 +45,10 @@ struct LammpsTask {
 /// @throws dual::InvalidOption if an option is out of its range
 /// @throws dual::Error if lmp or mpirun is needed and not installed
 void require_lammps(const LammpsOptions& options);
+
+/// Whether the installed `lmp` was built with a pair style, whose arguments are not looked at;
+/// false if it is not installed.
+[[nodiscard]] bool has_pair_style(const std::string& style);
 
 /// A potential's file as input scripts name it.
 struct LammpsPotentialFile {

@@ -9,6 +9,7 @@
 #include "trivalent/formats/lammps_deck.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/potential.h"
+#include "trivalent/shell/lammps_run.h"
 
 namespace trivalent::shell {
 
@@ -16,6 +17,12 @@ namespace trivalent::shell {
 struct PotentialChoice {
   std::string name = "rebo";  ///< one of known_potentials()
   potentials::LennardJonesOptions lennard_jones = {};
+  std::optional<dual::PairStyle> pair_style = {};  ///< instead: one that only LAMMPS computes
+
+  /// As results name it.
+  [[nodiscard]] std::string title() const {
+    return pair_style ? "pair_style " + pair_style->style : name;
+  }
 };
 
 /// What can be chosen.
@@ -32,14 +39,22 @@ struct KnownPotential {
 /// @throws dual::InvalidOption if there is no such potential.
 [[nodiscard]] const KnownPotential& find_potential(const PotentialChoice& choice);
 
-/// @throws dual::InvalidOption, potentials::InvalidOption if there is no such potential or a
-///   parameter is out of its range.
+/// @throws dual::InvalidOption, potentials::InvalidOption if there is no such potential, a
+///   parameter is out of its range, or only LAMMPS computes it.
 [[nodiscard]] std::unique_ptr<potentials::Potential> make_potential(const PotentialChoice& choice);
+
+/// Options with which LAMMPS computes the same.
+///
+/// @param caller  for the message
+/// @throws dual::InvalidOption if LAMMPS is not asked for the potential.
+[[nodiscard]] LammpsOptions lammps_options(std::string_view caller, const PotentialChoice& choice,
+                                           LammpsOptions options);
 
 /// Name and parameters with every bit: equal for equal potentials.
 [[nodiscard]] std::string exact_text(const PotentialChoice& choice);
 
-/// Energy of an atom of graphene under the potential [eV], at REBO's bond length.
+/// Energy of an atom of graphene under the potential [eV], at REBO's bond length; 0 if only LAMMPS
+/// computes it.
 [[nodiscard]] double graphene_reference(const PotentialChoice& choice);
 
 /// Whether energies may be compared with those of graphene under REBO.
