@@ -54,9 +54,8 @@ def relax(path, potential, options):
     if done.returncode not in (0, 3):
         return f'{done.stderr.strip().splitlines()[-1]}'
     result = json.loads(done.stdout)
-    moved = result['relaxation']['displacement']
     rest = '' if done.returncode == 0 else '  not at rest'
-    return (f'{result["energy_per_atom"]:10.5f}  {moved["largest"]:8.3f}  {len(result["relaxation"]["bonds_broken"]):6d}  '
+    return (f'{result["energy_per_atom"]:10.5f}  {result["relaxation"]["displacement_largest"]:8.3f}  {len(result["relaxation"]["bonds_broken"]):6d}  '
             f'{len(result["relaxation"]["bonds_formed"]):6d}{rest}')
 
 

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -11,8 +14,8 @@
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/shell/structure_source.h"
 
-// Formats of other programs: what they read, what they change, what they refuse. That other programs
-// read our files is checked by tests/apps/formats.py.
+// Formats of other programs: what they read, what they change, what they refuse. That other
+// programs read our files is checked by tests/apps/formats.py.
 namespace trivalent::dual {
 namespace {
 
@@ -58,7 +61,9 @@ Structure acetylene() {
 
 std::vector<std::string> names_of_formats() {
   std::vector<std::string> names;
-  for (const StructureFormat& format : structure_formats()) names.push_back(format.name);
+  for (const StructureFormat& format : structure_formats()) {
+    if (format.read != nullptr) names.push_back(format.name);
+  }
   return names;
 }
 
@@ -66,8 +71,9 @@ class EveryFormat : public testing::TestWithParam<std::string> {
  protected:
   [[nodiscard]] std::filesystem::path write(const Structure& structure) {
     const auto path = folder_.path() / ("atoms" + structure_format(GetParam()).extensions.front());
-    notes_ = write_structure(path, structure,
-                             {.digits = Digits::seventeen_significant, .atom_style = AtomStyle::molecular});
+    notes_ = write_structure(
+        path, structure,
+        {.digits = Digits::seventeen_significant, .atom_style = AtomStyle::molecular});
     return path;
   }
 
@@ -83,8 +89,7 @@ TEST_P(EveryFormat, KeepsEnergyAndVolumeOfAnyCell) {
     EXPECT_NEAR(potentials::rebo(back.atoms).energy, potentials::rebo(structure.atoms).energy,
                 precision);
     EXPECT_NEAR(std::abs(back.atoms.box.cell.determinant()),
-                std::abs(structure.atoms.box.cell.determinant()),
-                GetParam() == "pdb" ? 2.0 : 1e-6);
+                std::abs(structure.atoms.box.cell.determinant()), GetParam() == "pdb" ? 2.0 : 1e-6);
   }
 }
 
@@ -185,7 +190,8 @@ TEST(Pdb, NumbersAtomsBeyond99999InHybrid36) {
   EXPECT_NE(text.str().find("HETATMA0001"), std::string::npos);
 }
 
-const std::string atom = "HETATM    1  C   UNL A   1       1.000   2.000   3.000  1.00  0.00           C\n";
+const std::string atom =
+    "HETATM    1  C   UNL A   1       1.000   2.000   3.000  1.00  0.00           C\n";
 
 TEST(Pdb, ReadsTheLastModelOrTheOneThatIsNamed) {
   const std::string second = "HETATM    1  C   UNL A   1       1.500   2.000   3.000\n";
@@ -196,7 +202,8 @@ TEST(Pdb, ReadsTheLastModelOrTheOneThatIsNamed) {
 }
 
 TEST(Pdb, TakesTheUnitCubeForNoCell) {
-  const std::string cube = "CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n";
+  const std::string cube =
+      "CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n";
   EXPECT_FALSE(file_of("a.pdb", cube + atom).structure.atoms.box.is_periodic());
 }
 
@@ -267,13 +274,44 @@ TEST(Espresso, ReadsUnitsOfLength) {
 TEST(Cp2k, ReadsCellsOfEveryKind) {
   const std::string coordinates = "&COORD\n UNIT bohr\n C 2 0 0\n&END COORD\n";
   const Structure angles =
-      file_of("a.inp", "&CELL\n ABC [bohr] 10 10 10\n ALPHA_BETA_GAMMA 90 90 120\n PERIODIC XY\n"
-                       "&END CELL\n" + coordinates)
+      file_of("a.inp",
+              "&CELL\n ABC [bohr] 10 10 10\n ALPHA_BETA_GAMMA 90 90 120\n PERIODIC XY\n"
+              "&END CELL\n" +
+                  coordinates)
           .structure;
   EXPECT_NEAR(angles.atoms.box.cell(0, 1), -5.0 * 0.529177210903, 1e-9);
   EXPECT_EQ(angles.atoms.box.periodic, (std::array{true, true, false}));
   EXPECT_NEAR(angles.atoms.positions[0].x(), 2.0 * 0.529177210903, 1e-12);
   EXPECT_FALSE(file_of("a.inp", coordinates).structure.atoms.box.is_periodic());
+}
+
+TEST(GromacsTopology, HasEveryAngleAndDihedralOnce) {
+  // Benzene: 6 · 3 angles, 4 dihedrals around each of 6 bonds.
+  Structure benzene;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * std::numbers::pi / 3.0;
+    for (const double radius : {1.40, 2.48}) {
+      benzene.atoms.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    }
+    benzene.atoms.species.push_back(potentials::Species::carbon);
+    benzene.atoms.species.push_back(potentials::Species::hydrogen);
+  }
+  std::ostringstream text;
+  const auto notes = structure_format("gromacs-topology").write(text, benzene, {});
+  EXPECT_EQ(notes.size(), 1u);  // bonds by distance
+  const std::string topology = text.str();
+  const auto lines = [&](const std::string& section, const std::string& next) {
+    const std::size_t begin = topology.find("[ " + section + " ]");
+    const std::string part = topology.substr(begin, topology.find("[ " + next + " ]") - begin);
+    return std::ranges::count(part, '\n') - 2;
+  };
+  EXPECT_EQ(lines("bonds", "angles"), 12);
+  EXPECT_EQ(lines("angles", "dihedrals"), 18);
+  EXPECT_EQ(lines("dihedrals", "system"), 24);
+  Structure apart = benzene;
+  for (Eigen::Vector3d& x : apart.atoms.positions) x *= 10.0;
+  EXPECT_THROW(static_cast<void>(structure_format("gromacs-topology").write(text, apart, {})),
+               InvalidNetwork);
 }
 
 struct Fault {
@@ -286,12 +324,14 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
   const std::string mol2 = "@<TRIPOS>MOLECULE\nm\n1 0\nSMALL\nNO_CHARGES\n@<TRIPOS>ATOM\n";
   for (const auto& [name, text, message] : std::vector<Fault>{
            {"POSCAR", "t\n0\n1 0 0\n0 1 0\n0 0 1\nC\n1\nDirect\n0 0 0\n", "line 2: a scale"},
-           {"POSCAR", "t\n1\n1 0 0\n0 1 0\n1 1 0\nC\n1\nDirect\n0 0 0\n", "line 5: the cell vectors"},
+           {"POSCAR", "t\n1\n1 0 0\n0 1 0\n1 1 0\nC\n1\nDirect\n0 0 0\n",
+            "line 5: the cell vectors"},
            {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nSi\n1\nDirect\n0 0 0\n", "line 6: element 'Si'"},
            {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nC\n1 2\nDirect\n0 0 0\n", "line 7: 1 elements"},
            {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nC\n1\nWhat\n0 0 0\n", "line 8: expected Direct"},
            {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nC\n2\nDirect\n0 0 0\n", "atom 2 of 2"},
-           {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nC\n1\nS\nDirect\n0 0 0 T T Q\n", "line 10: expected T"},
+           {"POSCAR", "t\n1\n1 0 0\n0 1 0\n0 0 1\nC\n1\nS\nDirect\n0 0 0 T T Q\n",
+            "line 10: expected T"},
            {"a.gen", "1 H\nC\n1 1 0 0 0\n", "line 1: helical"},
            {"a.gen", "1 X\nC\n1 1 0 0 0\n", "line 1: the kind"},
            {"a.gen", "1 C\nSi\n1 1 0 0 0\n", "line 2: element"},
@@ -301,21 +341,27 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
            {"a.gro", "t\n1\n    1CNT    SI1    1   0.100   0.200   0.300\n1 1 1\n", "line 3: atom"},
            {"a.gro", "t\n1\n    1CNT     C1    1   0.100   0.200   0.300\n1 1\n", "line 4: a box"},
            {"a.gro", "t\n1\n    1CNT     C1    1   0.100   0.200\n1 1 1\n", "line 3"},
-           {"a.pdb", "HETATM    1 SI   UNL A   1       1.000   2.000   3.000  1.00  0.00          SI\n",
+           {"a.pdb",
+            "HETATM    1 SI   UNL A   1       1.000   2.000   3.000  1.00  0.00          SI\n",
             "line 1: element"},
            {"a.pdb", "HETATM    1  C   UNL A   1       1.000   2.0x0   3.000\n", "line 1"},
            {"a.pdb", atom + "CONECT    1    2\n", "line 2: there is no atom"},
            {"a.pdb", atom + atom + "CONECT    1    1\n", "line 3: several atoms"},
-           {"a.pdb", "CRYST1    9.000    9.000    9.000  10.00  10.00 170.00 P 1\n" + atom, "line 1: no cell"},
+           {"a.pdb", "CRYST1    9.000    9.000    9.000  10.00  10.00 170.00 P 1\n" + atom,
+            "line 1: no cell"},
            {"a.mol2", mol2 + "1 C 0 0 0\n", "line 7: expected id"},
            {"a.mol2", mol2 + "1 C 0 0 0 Si\n", "line 7: type"},
-           {"a.mol2", mol2 + "1 C 0 0 0 C.ar\n@<TRIPOS>BOND\n1 1 2 ar\n", "line 9: there is no atom"},
+           {"a.mol2", mol2 + "1 C 0 0 0 C.ar\n@<TRIPOS>BOND\n1 1 2 ar\n",
+            "line 9: there is no atom"},
            {"a.mol2", "1 C 0 0 0 C.ar\n", "MOLECULE"},
            {"a.pwi", "ATOMIC_POSITIONS angstrom\nC 0 0 0\n", "line 1: nat"},
            {"a.pwi", "&system\nibrav=1\n/\n", "line 2: ibrav"},
-           {"a.pwi", "nat = 1\nATOMIC_POSITIONS furlong\nC 0 0 0\nCELL_PARAMETERS bohr\n1 0 0\n0 1 0\n0 0 1\n",
+           {"a.pwi",
+            "nat = 1\nATOMIC_POSITIONS furlong\nC 0 0 0\nCELL_PARAMETERS bohr\n1 0 0\n0 1 0\n0 0 "
+            "1\n",
             "line 2: the unit"},
-           {"a.pwi", "nat = 1\nATOMIC_POSITIONS bohr\nC 0 0 0\nCELL_PARAMETERS alat\n1 0 0\n0 1 0\n0 0 1\n",
+           {"a.pwi",
+            "nat = 1\nATOMIC_POSITIONS bohr\nC 0 0 0\nCELL_PARAMETERS alat\n1 0 0\n0 1 0\n0 0 1\n",
             "line 4: alat"},
            {"a.pwi", "nat = 1\nATOMIC_POSITIONS bohr\nC 0 0 0\n", "CELL_PARAMETERS"},
            {"a.inp", "@INCLUDE other\n", "line 1: @INCLUDE"},
@@ -325,13 +371,15 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
            {"a.cif", cell_of_cif + sites + "C1 ? 0 0\n", "coordinate of C1"},
            {"a.cif", "data_a\n" + sites + "C1 0 0 0\n", "no cell"},
            {"a.cif", cell_of_cif, "no block has sites"},
-           {"a.cif", cell_of_cif + "_space_group_name_H-M_alt 'Q 7'\n" + sites + "C1 0 0 0\n", "'Q 7'"},
-           {"a.cif", cell_of_cif + "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
-                                   "_atom_site_fract_z\n_atom_site_occupancy\nC1 0 0 0 0.5\n",
+           {"a.cif", cell_of_cif + "_space_group_name_H-M_alt 'Q 7'\n" + sites + "C1 0 0 0\n",
+            "'Q 7'"},
+           {"a.cif",
+            cell_of_cif + "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
+                          "_atom_site_fract_z\n_atom_site_occupancy\nC1 0 0 0 0.5\n",
             "C1 is occupied by 0.5"},
            {"a.cif", "data_a\nloop_\n_x\n_y\n1 2 3\n", "a.cif"}}) {
-    EXPECT_NE(complaint(name, text).find(message), std::string::npos)
-        << message << "\n" << complaint(name, text);
+    EXPECT_NE(complaint(name, text).find(message), std::string::npos) << message << "\n"
+                                                                      << complaint(name, text);
   }
 }
 

@@ -110,12 +110,6 @@ class Cp2kReader {
   Structure structure_;
 };
 
-std::string periodic_axes(const potentials::Box& box) {
-  std::string axes;
-  for (std::size_t i = 0; i < 3; ++i) axes += box.periodic[i] ? std::string(1, "XYZ"[i]) : "";
-  return axes.empty() ? "NONE" : axes;
-}
-
 void append_vector(std::string& text, const Eigen::Vector3d& vector, Digits digits) {
   for (const double component : vector) {
     text += ' ';
@@ -137,11 +131,10 @@ std::vector<std::string> write_cp2k(std::ostream& out, const Structure& structur
                                     const WriteOptions& options) {
   const potentials::Atoms& atoms = structure.atoms;
   check_atoms("write_cp2k", atoms);
-  potentials::Atoms in_cell = atoms;
-  if (atoms.box.is_periodic()) in_cell.box.periodic = {true, true, true};  // nothing to note
-  CellFrame frame = cell_frame(in_cell, CellKind::general);
+  CellFrame frame = cell_frame(atoms, CellKind::general);
   if (!atoms.box.is_periodic()) frame.notes.clear();  // free atoms stay free
-  const std::string axes = periodic_axes(atoms.box);
+  // Its xTB sums charges over all directions or none.
+  const std::string_view axes = atoms.box.is_periodic() ? "XYZ" : "NONE";
   std::string text = concat(
       "&GLOBAL\n  PROJECT carbon\n  RUN_TYPE GEO_OPT\n&END GLOBAL\n&MOTION\n  &GEO_OPT\n"
       "    OPTIMIZER LBFGS\n    MAX_ITER 500\n  &END GEO_OPT\n&END MOTION\n&FORCE_EVAL\n"

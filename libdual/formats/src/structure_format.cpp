@@ -12,6 +12,7 @@
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/espresso.h"
 #include "trivalent/formats/gro.h"
+#include "trivalent/formats/gromacs_topology.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/lammps_frame.h"
 #include "trivalent/formats/mol2.h"
@@ -93,6 +94,7 @@ std::vector<StructureFormat>& structure_formats() {
       {.name = "cif", .extensions = {".cif", ".mmcif"}, .read = read_cif, .write = write_cif},
       {.name = "pdb", .extensions = {".pdb", ".ent"}, .read = read_pdb, .write = write_pdb},
       {.name = "gro", .extensions = {".gro"}, .read = read_gro, .write = write_gro},
+      {.name = "gromacs-topology", .extensions = {".top"}, .write = write_gromacs_topology},
       {.name = "mol2", .extensions = {".mol2"}, .read = read_mol2, .write = write_mol2},
       {.name = "dftb-gen", .extensions = {".gen"}, .read = read_dftb_gen, .write = write_dftb_gen},
       {.name = "quantum-espresso",

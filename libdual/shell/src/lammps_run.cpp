@@ -142,6 +142,18 @@ void take_back(const dual::LammpsFrame& frame, const potentials::Box& before,
   for (Eigen::Vector3d& force : result.result.forces) force = frame.back(force);
 }
 
+/// What would mend a complaint, if that is known.
+std::string hint_for(const std::string& complaint) {
+  if (complaint.find("cannot open") != std::string::npos) {
+    return "; name the file by its path, or its folder in LAMMPS_POTENTIALS (Debian: "
+           "/usr/share/lammps/potentials of lammps-data)";
+  }
+  if (complaint.find("nrecognized pair style") != std::string::npos) {
+    return "; lmp -help lists the pair styles of this LAMMPS";
+  }
+  return "";
+}
+
 double largest_force(const std::vector<Eigen::Vector3d>& forces,
                      const std::vector<std::uint32_t>& fixed) {
   double largest = 0.0;
@@ -210,8 +222,8 @@ potentials::RelaxResult run_lammps(const potentials::Atoms& atoms, const LammpsT
   write_input(frame.atoms, task, folder, options);
   LammpsOutput output(task);
   if (run_and_listen(folder, options.ranks, output) != 0) {
-    throw dual::Error("LAMMPS failed: " + output.complaint() + " (its files are in " +
-                      folder.string() + ")");
+    throw dual::Error("LAMMPS failed: " + output.complaint() + hint_for(output.complaint()) +
+                      " (its files are in " + folder.string() + ")");
   }
   potentials::RelaxResult result;
   result.atoms = frame.atoms;

@@ -38,7 +38,8 @@ constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 2400};
 /// How a net freezes is luck, which averages out in a large one: small ones are ordered as often as
 /// makes this many vertices in all, and the one of least energy is taken.
 constexpr int searched_vertices = 2400;
-constexpr int max_searches = 8;
+constexpr int searched_vertices_of_small = 4800;  // which are not divided any more
+constexpr int max_searches = 16;
 constexpr int min_ordering_rounds = 600;  // of each of them
 /// An order found at four times the length still has pairs to lose at twice the length.
 constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
@@ -164,7 +165,7 @@ class MembraneSearch {
 
   /// Orders the first net of a level, and brings it to twice the target length.
   Ordered order_from(std::size_t level) {
-    const int searches = searches_for(net_.mesh);
+    const int searches = searches_for(searched_vertices);
     Schedule schedule = ordering;
     schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
     watch_.expect(searches * rounds_of(schedule));
@@ -186,7 +187,7 @@ class MembraneSearch {
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
-    const int searches = searches_for(net_.mesh);
+    const int searches = searches_for(searched_vertices_of_small);
     Schedule schedule = ordering;
     schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
     watch_.expect(searches * rounds_of(schedule));
@@ -207,7 +208,8 @@ class MembraneSearch {
     membrane.slack = bond.slack;
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
-    membrane.count = 0.3;  // 0.02 lets small nets lose a fifth of their vertices
+    // 0.02 lets small nets lose a fifth of their vertices; 0.3 leaves nets of 30 to 120 one short.
+    membrane.count = 0.3 + 60.0 / n_vertices();
     return membrane;
   }
 
@@ -219,10 +221,9 @@ class MembraneSearch {
     return vertices_for_faces(net_.mesh, faces);
   }
 
-  [[nodiscard]] int searches_for(const TriMesh& first_net) const {
+  [[nodiscard]] int searches_for(int vertices_in_all) const {
     if (options_.effort == Effort::quick) return 1;
-    return std::clamp(searched_vertices / static_cast<int>(first_net.n_vertices()), 1,
-                      max_searches);
+    return std::clamp(vertices_in_all / static_cast<int>(net_.mesh.n_vertices()), 1, max_searches);
   }
 
   /// Anneals the first net several times, and keeps the one of least energy.

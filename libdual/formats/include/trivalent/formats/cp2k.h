@@ -19,7 +19,8 @@ namespace trivalent::dual {
                                       const ReadOptions& options = {});
 
 /// Writes an input of CP2K that relaxes the atoms under GFN1-xTB, which needs no files but those
-/// that come with CP2K. Free directions stay free.
+/// that come with CP2K. Free atoms stay free; of partly periodic ones all directions become
+/// periodic.
 ///
 /// @return  Notes on what changed: the cell.
 /// @throws InvalidOption, InvalidNetwork  if the cell is flat, or a coordinate is not finite.
