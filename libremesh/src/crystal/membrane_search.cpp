@@ -40,7 +40,7 @@ constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 2400};
 constexpr int searched_vertices = 2400;
 constexpr int searched_vertices_of_small = 4800;  // which are not divided any more
 constexpr int max_searches = 16;
-constexpr int min_ordering_rounds = 600;  // of each of them
+constexpr int min_ordering_rounds = 1200;  // of each of them
 /// An order found at four times the length still has pairs to lose at twice the length.
 constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
 /// At the target length defects only find their places.
@@ -247,14 +247,15 @@ class MembraneSearch {
     return min_energy;
   }
 
-  /// @return  Energy of the membrane, cores included [eV].
+  /// @return  Energy of the membrane, cores and the count term included [eV].
   double anneal_level(const Level& level, const Schedule& schedule, std::uint64_t seed) {
     const Membrane membrane = membrane_at(level);
     net_.on_surface.stay_on_sheets(sheet_reach * membrane.length);
     MembraneNet net(net_.on_surface, surface_, membrane);
+    const int wanted = wanted_vertices(level);
     if (watch_.stopped()) {
       net.relax(hasty_steps);
-      return energy_of(net);
+      return energy_of(net, wanted);
     }
     net.relax(opening_steps, watch_.question());
     net.renew();
@@ -264,22 +265,26 @@ class MembraneSearch {
     options.first_temperature = schedule.hot;
     options.last_temperature = is_last ? 0.0 : schedule.cold;
     options.rounds = rounds_of(schedule);
-    options.wanted_vertices = wanted_vertices(level);
+    options.wanted_vertices = wanted;
     options.seed = seed * levels.size() + static_cast<std::uint64_t>(level.coarseness);
     options.after_round = [&](int) {
       return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);
     };
     anneal_membrane(net, options);
-    if (!is_last) return energy_of(net);
+    if (!is_last) return energy_of(net, wanted);
     options.first_temperature = 0.0;
     options.rounds = tidying_rounds;
     options.min_deviation = 2;
     options.after_round = {};
     anneal_membrane(net, options);
-    return energy_of(net);
+    return energy_of(net, wanted);
   }
 
-  static double energy_of(MembraneNet& net) { return net.elastic_energy() + net.core_energy(); }
+  /// @param wanted  Number of vertices.
+  [[nodiscard]] double energy_of(MembraneNet& net, int wanted) const {
+    return net.elastic_energy() + net.core_energy() +
+           net.membrane().count_energy(static_cast<int>(net_.mesh.n_vertices()) - wanted);
+  }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {
     // Defects need some rounds to find their places, however short the search.
