@@ -3,7 +3,16 @@
 #include <array>
 #include <charconv>
 
+#include "trivalent/formats/text_file.h"
+
 namespace trivalent::dual {
+
+void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digits) {
+  for (const double component : vector) {
+    line += ' ';
+    append_real(line, component, digits);
+  }
+}
 
 void append_right(std::string& line, std::string_view word, std::size_t width) {
   if (word.size() < width) line.append(width - word.size(), ' ');

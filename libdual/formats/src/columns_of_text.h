@@ -1,10 +1,16 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "trivalent/formats/digits.h"
+
 namespace trivalent::dual {
+
+/// Appends three numbers to a line, each after a blank.
+void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digits);
 
 /// Appends a word to a line, with blanks before it up to the width.
 void append_right(std::string& line, std::string_view word, std::size_t width);

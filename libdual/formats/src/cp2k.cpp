@@ -4,6 +4,8 @@
 
 #include "cell_angles.h"
 #include "cell_frame.h"
+#include "columns_of_text.h"
+#include "length_units.h"
 #include "one_structure.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/formats/elements.h"
@@ -11,8 +13,6 @@
 
 namespace trivalent::dual {
 namespace {
-
-constexpr double bohr = 0.529177210903;  // [Å], CODATA 2018
 
 class Cp2kReader {
  public:
@@ -110,14 +110,6 @@ class Cp2kReader {
   Structure structure_;
 };
 
-void append_vector(std::string& text, const Eigen::Vector3d& vector, Digits digits) {
-  for (const double component : vector) {
-    text += ' ';
-    append_real(text, component, digits);
-  }
-  text += '\n';
-}
-
 }  // namespace
 
 StructureFile read_cp2k(const std::filesystem::path& path, const ReadOptions& options) {
@@ -146,11 +138,13 @@ std::vector<std::string> write_cp2k(std::ostream& out, const Structure& structur
   for (int k = 0; k < 3; ++k) {
     text += concat("      ", "ABC"[k]);
     append_vector(text, frame.cell.col(k), Digits::seventeen_significant);
+    text += '\n';
   }
   text += concat("      PERIODIC ", axes, "\n    &END CELL\n    &COORD\n");
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     text += concat("      ", symbol_of(atoms.species[i]));
     append_vector(text, frame.positions[i], options.digits);
+    text += '\n';
   }
   out << text << "    &END COORD\n  &END SUBSYS\n&END FORCE_EVAL\n";
   return std::move(frame.notes);

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "cell_frame.h"
+#include "columns_of_text.h"
 #include "one_structure.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
@@ -86,14 +87,6 @@ class GenReader {
   Structure structure_;
 };
 
-void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digits) {
-  for (const double component : vector) {
-    line += ' ';
-    append_real(line, component, digits);
-  }
-  line += '\n';
-}
-
 }  // namespace
 
 StructureFile read_dftb_gen(const std::filesystem::path& path, const ReadOptions& options) {
@@ -121,10 +114,15 @@ std::vector<std::string> write_dftb_gen(std::ostream& out, const Structure& stru
     const auto type = std::ranges::find(elements, atoms.species[i]) - elements.begin() + 1;
     text += concat(i + 1, ' ', type);
     append_vector(text, frame.positions[i], options.digits);
+    text += '\n';
   }
   if (atoms.box.is_periodic()) {
     append_vector(text, Eigen::Vector3d::Zero(), options.digits);
-    for (int k = 0; k < 3; ++k) append_vector(text, frame.cell.col(k), options.digits);
+    text += '\n';
+    for (int k = 0; k < 3; ++k) {
+      append_vector(text, frame.cell.col(k), options.digits);
+      text += '\n';
+    }
   }
   out << text;
   return std::move(frame.notes);

@@ -5,6 +5,8 @@
 #include <ostream>
 
 #include "cell_frame.h"
+#include "columns_of_text.h"
+#include "length_units.h"
 #include "one_structure.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
@@ -13,8 +15,6 @@
 
 namespace trivalent::dual {
 namespace {
-
-constexpr double bohr = 0.529177210903;  // [Å], CODATA 2018
 
 class EspressoReader {
  public:
@@ -144,14 +144,6 @@ std::string_view pseudopotential_of(potentials::Species species) {
                                                 : "H.pbe-kjpaw_psl.1.0.0.UPF";
 }
 
-void append_vector(std::string& text, const Eigen::Vector3d& vector, Digits digits) {
-  for (const double component : vector) {
-    text += ' ';
-    append_real(text, component, digits);
-  }
-  text += '\n';
-}
-
 }  // namespace
 
 StructureFile read_espresso(const std::filesystem::path& path, const ReadOptions& options) {
@@ -179,11 +171,15 @@ std::vector<std::string> write_espresso(std::ostream& out, const Structure& stru
       "\n  ecutwfc = 40.0\n  ecutrho = 320.0\n  occupations = 'smearing'\n  smearing = 'mv'\n"
       "  degauss = 0.01\n/\n&electrons\n/\n&ions\n/\nATOMIC_SPECIES\n",
       species, "CELL_PARAMETERS angstrom\n");
-  for (int k = 0; k < 3; ++k) append_vector(text, frame.cell.col(k), Digits::seventeen_significant);
+  for (int k = 0; k < 3; ++k) {
+    append_vector(text, frame.cell.col(k), Digits::seventeen_significant);
+    text += '\n';
+  }
   text += "ATOMIC_POSITIONS angstrom\n";
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     text += symbol_of(atoms.species[i]);
     append_vector(text, frame.positions[i], options.digits);
+    text += '\n';
   }
   out << text << "K_POINTS gamma\n";
   return std::move(frame.notes);

@@ -20,7 +20,8 @@ constexpr std::string_view force_field =
     "[ atomtypes ]\n; name number mass charge type sigma epsilon\n"
     "CA 6 12.011 0.0 A 0.355 0.29288\nHA 1 1.008 0.0 A 0.242 0.12552\n\n"
     "[ bondtypes ]\nCA CA 1 0.1400 392459.2\nCA HA 1 0.1080 307105.6\n\n"
-    "[ angletypes ]\nCA CA CA 1 120.0 527.184\nCA CA HA 1 120.0 292.880\nHA CA HA 1 117.0 292.880\n\n"
+    "[ angletypes ]\nCA CA CA 1 120.0 527.184\nCA CA HA 1 120.0 292.880\nHA CA HA 1 117.0 "
+    "292.880\n\n"
     "[ dihedraltypes ]\nX CA CA X 3 30.334 0.0 -30.334 0.0 0.0 0.0\n\n"
     "[ moleculetype ]\n; name nrexcl\nUNL 3\n\n";
 

@@ -9,6 +9,7 @@
 #include "bond_pairs.h"
 #include "cell_angles.h"
 #include "cell_frame.h"
+#include "columns_of_text.h"
 #include "one_structure.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/formats/elements.h"
@@ -144,10 +145,7 @@ std::vector<std::string> write_mol2(std::ostream& out, const Structure& structur
   std::string line;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     line = concat(i + 1, ' ', symbol_of(atoms.species[i]), i + 1);
-    for (const double coordinate : frame.positions[i]) {
-      line += ' ';
-      append_real(line, coordinate, options.digits);
-    }
+    append_vector(line, frame.positions[i], options.digits);
     out << line << ' ' << types[i] << " 1 UNL\n";
   }
   out << "@<TRIPOS>BOND\n";

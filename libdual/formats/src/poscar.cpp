@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "cell_frame.h"
+#include "columns_of_text.h"
 #include "one_structure.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
@@ -166,10 +167,7 @@ void write_head(std::ostream& out, const potentials::Atoms& atoms, const Eigen::
   out << "carbon shell\n1.0\n";
   for (int i = 0; i < 3; ++i) {
     std::string line;
-    for (int k = 0; k < 3; ++k) {
-      line += ' ';
-      append_real(line, cell(k, i), digits);
-    }
+    append_vector(line, cell.col(i), digits);
     out << line << '\n';
   }
   std::string symbols;
@@ -210,11 +208,7 @@ std::vector<std::string> write_poscar(std::ostream& out, const Structure& struct
   std::string line;
   for (const std::size_t i : order) {
     line.clear();
-    const Eigen::Vector3d fractions = inverse * frame.positions[i];
-    for (const double fraction : fractions) {
-      line += ' ';
-      append_real(line, fraction, Digits::seventeen_significant);
-    }
+    append_vector(line, inverse * frame.positions[i], Digits::seventeen_significant);
     for (std::size_t k = 0; flags != nullptr && k < 3; ++k)
       line += (*flags)[i][k] != 0 ? " T" : " F";
     line += '\n';

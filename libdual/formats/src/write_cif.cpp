@@ -8,6 +8,7 @@
 
 #include "cell_angles.h"
 #include "cell_frame.h"
+#include "columns_of_text.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/formats/cif.h"
 #include "trivalent/formats/elements.h"
@@ -53,10 +54,7 @@ void write_content(std::ostream& out, const CifContent& content) {
       "_atom_site_fract_z\n_atom_site_occupancy\n";
   for (std::size_t i = 0; i < content.fractions.size(); ++i) {
     text += concat(label_of(content.species[i], i), ' ', symbol_of(content.species[i]));
-    for (const double fraction : content.fractions[i]) {
-      text += ' ';
-      append_real(text, fraction, Digits::seventeen_significant);
-    }
+    append_vector(text, content.fractions[i], Digits::seventeen_significant);
     text += " 1\n";
   }
   if (!content.bonds.empty()) {

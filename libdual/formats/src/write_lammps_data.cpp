@@ -2,6 +2,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "columns_of_text.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/network_checks.h"
@@ -141,10 +142,7 @@ void write_atoms(std::ostream& out, const Structure& structure, const LammpsData
     if (is_molecular) line += " 1";
     line += ' ';
     append_integer(line, type_of(atoms.species[i]));
-    for (const double coordinate : atoms.positions[i]) {
-      line += ' ';
-      append_real(line, coordinate, options.digits);
-    }
+    append_vector(line, atoms.positions[i], options.digits);
     line += '\n';
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
   }
