@@ -15,7 +15,8 @@ export LAMMPS_POTENTIALS=${LAMMPS_POTENTIALS:-/usr/share/lammps/potentials}
 command -v lmp >/dev/null || { echo "compare_potentials.sh: lmp is missing (Debian: apt install lammps)" >&2; exit 1; }
 
 make_shell() {
-  [[ -f $results/$1/shell.extxyz ]] || "$program" build "$2" --atoms "$3" -o "$results/$1" --quiet >/dev/null
+  rm -rf "${results:?}/$1"
+  "$program" build "$2" --atoms "$3" -o "$results/$1" --quiet >/dev/null
 }
 make_shell c60 sphere 60
 make_shell sphere-720 sphere 720

@@ -152,6 +152,36 @@ TEST_F(RelaxCommand, LetsLammpsFixAtomsAndRelaxTheCell) {
   EXPECT_NEAR(result["energy_per_atom"].get<double>(), -7.394997, 1e-5);
 }
 
+TEST_F(RelaxCommand, TakesAnyPairStyleOfLammps) {
+  write("g.extxyz",
+        "4\nLattice=\"2.46 0 0 0 4.26084 0 0 0 20\" pbc=\"T T F\" Properties=species:S:1:pos:R:3\n"
+        "C 0 0 10\nC 0 1.42028 10\nC 1.23 2.13042 10\nC 1.23 3.5507 10\n");
+  const std::string style = " --pair-style tersoff --pair-coeff '* * BNC.tersoff C'";
+  const auto relaxed = succeed(
+                           "relax g.extxyz -o out.extxyz --engine lammps --relax-box "
+                           "--max-force 1e-4 --json" +
+                           style)
+                           .json();
+  EXPECT_NEAR(relaxed["energy_per_atom"].get<double>(), -7.97770, 1e-4);  // published value
+  EXPECT_EQ(relaxed["potential"], "pair_style tersoff");
+  EXPECT_FALSE(relaxed.contains("excess_per_atom"));
+  EXPECT_NEAR(succeed("energy out.extxyz --engine lammps --json" + style).json()["energy_per_atom"],
+              relaxed["energy_per_atom"].get<double>(), 1e-8);
+  EXPECT_EQ(succeed("check out.extxyz --lammps --json" + style).json()["sound"], true);
+  expect_failure(2, "--engine lammps", "energy g.extxyz" + style);
+  expect_failure(2, "--lammps", "check g.extxyz" + style);
+  expect_failure(2, "two potentials", "energy g.extxyz --engine lammps --potential airebo" + style);
+  expect_failure(2, "go together", "energy g.extxyz --engine lammps --pair-style tersoff");
+  expect_failure(1, "lmp -help",
+                 "energy g.extxyz --engine lammps --pair-style no --pair-coeff '* *'");
+  expect_failure(1, "LAMMPS_POTENTIALS",
+                 "energy g.extxyz --engine lammps --pair-style tersoff --pair-coeff '* * none C'");
+  EXPECT_NE(succeed("lammps g.extxyz -o package --pair-style nonsense --pair-coeff '* *'")
+                .err.find("no pair_style nonsense"),
+            std::string::npos);
+  EXPECT_TRUE(has("package/in.md"));
+}
+
 TEST_F(RelaxCommand, TellsWhatLammpsComplainsAbout) {
   succeed("shape sphere s.off --edge 0.3");
   write("broken.rebo", "nothing\n");

@@ -56,6 +56,26 @@ TEST(LammpsDeck, KnowsPeriodicDirectionsAndElements) {
   }
 }
 
+TEST(LammpsDeck, TakesAnyPairStyle) {
+  const LammpsDeckOptions options = {
+      .data_files = {"a.data"},
+      .pair_style =
+          PairStyle{.style = "hybrid/overlay lcbop tersoff",
+                    .coefficients = {"* * lcbop C.lcbop C", "* * tersoff BNC.tersoff C"}}};
+  for (const WriteDeck& write : all_decks()) {
+    const std::string deck = text_of(write, options);
+    EXPECT_TRUE(has(deck,
+                    "pair_style   hybrid/overlay lcbop tersoff\npair_coeff   * * lcbop C.lcbop C\n"
+                    "pair_coeff   * * tersoff BNC.tersoff C\n"));
+    EXPECT_FALSE(has(deck, "rebo"));
+    for (const std::string bad : {"", "a $b", "a \"b\"", "a\nquit", "a # b", "a & b"}) {
+      LammpsDeckOptions other = options;
+      other.pair_style->coefficients = {bad};
+      EXPECT_THROW(text_of(write, other), InvalidOption) << bad;
+    }
+  }
+}
+
 TEST(LammpsDeck, ThrowsWithoutDataFile) {
   for (const WriteDeck& write : all_decks()) EXPECT_THROW(text_of(write, {}), InvalidOption);
 }

@@ -22,7 +22,7 @@ void check_file_name(std::string_view name) {
 
 void check_arguments(std::string_view arguments) {
   std::vector<std::string_view> words;
-  split_fields(arguments, words);
+  split_fields(arguments, words);  // at blanks and tabs: a line break is trouble
   if (words.empty()) throw InvalidOption("write_lammps_deck: a pair_style or pair_coeff is empty");
   for (const std::string_view word : words) check_file_name(word);
 }
