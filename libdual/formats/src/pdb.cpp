@@ -113,8 +113,7 @@ class PdbReader {
 
   void add_bonds() {
     std::ranges::sort(pairs_);
-    const auto repeated = std::ranges::unique(pairs_);
-    pairs_.erase(repeated.begin(), repeated.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     structure_.bonds = potentials::bonds_between(structure_.atoms, pairs_);
   }
 

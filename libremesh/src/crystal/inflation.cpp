@@ -9,6 +9,26 @@
 
 namespace trivalent::remesh {
 
+bool is_too_thin(const ConstrainedMesh& on_surface, double length) {
+  const TriMesh& surface = on_surface.mesh;
+  std::vector<char> is_thin(surface.n_vertices(), 0);
+  tbb::parallel_for(std::size_t{0}, is_thin.size(), [&](std::size_t i) {
+    const VertexHandle v(static_cast<int>(i));
+    if (surface.is_isolated(v)) return;
+    is_thin[i] = on_surface.surface().thickness(v) < 0.5 * length ? 1 : 0;
+  });
+  double thin = 0.0;
+  double whole = 0.0;
+  for (const auto f : surface.faces()) {
+    const double area = face_area(surface, f);
+    whole += area;
+    if (std::ranges::all_of(f.vertices(), [&](auto v) { return is_thin[index(v)] != 0; })) {
+      thin += area;
+    }
+  }
+  return thin > 0.5 * whole;
+}
+
 std::optional<TriMesh> inflated(const ConstrainedMesh& on_surface, double thickness) {
   constexpr int smoothing_steps = 5;
   const TriMesh& surface = on_surface.mesh;

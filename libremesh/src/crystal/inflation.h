@@ -7,6 +7,10 @@
 
 namespace trivalent::remesh {
 
+/// Whether most of the area is too thin for nets of this edge length: thinner than half of it, so
+/// that they would lose the shape even if it were inflated.
+[[nodiscard]] bool is_too_thin(const ConstrainedMesh& on_surface, double length);
+
 /// The same surface with its thin parts inflated to about the given thickness, so that a net of
 /// long edges can lie on both sides of them. Vertices on curves stay.
 ///

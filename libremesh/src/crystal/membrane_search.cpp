@@ -155,6 +155,7 @@ class MembraneSearch {
   bool start(const Level& level) {
     const double length = level.coarseness * Membrane::fine_length;
     net_.on_surface.restore(whole_surface_);
+    if (is_too_thin(net_.on_surface, length)) return false;
     const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
     const std::unique_ptr<Net> net = coarse_starting_net(inflated_surface.value_or(surface_),
                                                          creases_, area_, starting_options(length));

@@ -142,6 +142,7 @@ class SpringSearch {
   std::unique_ptr<Net> from_coarse_net() {
     const double m = options_.target_edge_length;
     auto net = std::make_unique<Net>(surface_, creases_);
+    if (is_too_thin(net->on_surface, 2.0 * m)) return nullptr;
     const TriMesh room = inflated(net->on_surface, thinnest_for_coarse * m).value_or(surface_);
     std::unique_ptr<Net> coarse =
         coarse_starting_net(room, creases_, area_, starting_options(2.0 * m));
