@@ -46,7 +46,7 @@ std::string read_text(const TextSource& source) {
       is_standard_input ? gzdopen(dup(STDIN_FILENO), "rb") : gzopen(name.c_str(), "rb"), gzclose);
   if (!file) fail(errno != 0 ? std::strerror(errno) : "out of memory");
   std::string text;
-  std::vector<char> block(std::size_t{1} << 20);
+  std::vector<char> block(std::size_t{1} << 16);
   while (true) {
     errno = 0;
     const int n_read = gzread(file.get(), block.data(), static_cast<unsigned>(block.size()));
