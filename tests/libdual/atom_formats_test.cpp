@@ -201,6 +201,13 @@ TEST(Pdb, ReadsTheLastModelOrTheOneThatIsNamed) {
   EXPECT_THROW(static_cast<void>(file_of("a.pdb", text, {.frame = 3})), FileError);
 }
 
+TEST(Pdb, ForgetsBondsOfAnEarlierModel) {
+  const std::string second = "HETATM    2  C   UNL A   1       1.500   2.000   3.000\n";
+  const StructureFile file = file_of("a.pdb", atom + second + "CONECT    1    2\nMODEL 2\n" + atom);
+  EXPECT_EQ(file.structure.atoms.size(), 1u);
+  EXPECT_TRUE(file.structure.bonds.empty());
+}
+
 TEST(Pdb, TakesTheUnitCubeForNoCell) {
   const std::string cube =
       "CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n";

@@ -56,6 +56,7 @@ class PdbReader {
     structure_.atoms.positions.clear();
     structure_.atoms.species.clear();
     atom_of_serial_.clear();
+    pairs_.clear();
   }
 
   [[nodiscard]] double number(std::string_view line, std::size_t begin, std::size_t end) const {
