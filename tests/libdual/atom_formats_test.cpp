@@ -346,6 +346,8 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
            {"a.gen", "1 S\nC\n1 1 0 0 0\n0 0 0\n1 0 0\n", "a cell vector"},
            {"a.gro", "t\n2\n    1CNT     C1    1   0.100   0.200   0.300\n", "atom 2 of 2"},
            {"a.gro", "t\n1\n    1CNT    SI1    1   0.100   0.200   0.300\n1 1 1\n", "line 3: atom"},
+           {"a.gro", "t\n1\n    1CNT     CL    1   0.100   0.200   0.300\n1 1 1\n", "line 3: atom"},
+           {"a.pdb", "HETATM    1 CL   UNL A   1       1.000   2.000   3.000\n", "line 1: element"},
            {"a.gro", "t\n1\n    1CNT     C1    1   0.100   0.200   0.300\n1 1\n", "line 4: a box"},
            {"a.gro", "t\n1\n    1CNT     C1    1   0.100   0.200\n1 1 1\n", "line 3"},
            {"a.pdb",

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 
 namespace trivalent::dual {
@@ -24,6 +25,12 @@ void append_fixed(std::string& line, double value, int decimals, std::size_t wid
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                           std::chars_format::fixed, decimals);
   append_right(line, {digits.data(), end}, width);
+}
+
+std::optional<potentials::Species> element_of_name(std::string_view name) {
+  const std::string start = lower_case(name.substr(0, 2));
+  if (start == "cl" || start == "cu" || start == "he" || start == "hg") return std::nullopt;
+  return element_of_symbol(name.substr(0, 1));
 }
 
 std::string_view columns_of(std::string_view line, std::size_t begin, std::size_t end) {

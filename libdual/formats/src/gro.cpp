@@ -82,7 +82,7 @@ class GroReader {
     }
     std::string_view name = line.substr(10, 5);
     name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
-    const auto element = element_of_symbol(name.substr(0, 1));
+    const auto element = element_of_name(name);
     if (!element) lines_.fail("atom ", in_quotes(name), "; the potentials know C and H");
     structure.atoms.positions.push_back(x);
     structure.atoms.species.push_back(*element);

@@ -80,7 +80,7 @@ class PdbReader {
   void read_atom(std::string_view line) {
     const std::string_view symbol = columns_of(line, 76, 78);
     const std::string_view name = columns_of(line, 12, 16);
-    const auto element = element_of_symbol(symbol.empty() ? name.substr(0, 1) : symbol);
+    const auto element = symbol.empty() ? element_of_name(name) : element_of_symbol(symbol);
     if (!element) {
       lines_.fail("element ", in_quotes(symbol.empty() ? name : symbol),
                   "; the potentials know C and H");
