@@ -91,8 +91,8 @@ TEST_F(BuildCommand, SaysWhereTheShellIsNotWhatWasAskedFor) {
     return report("out")["notes"].dump();
   };
   // The net shrinks along a needle thinner than its edges.
-  const std::string lost = notes("capsule:radius=0.1,length=6 --atoms 100");
-  EXPECT_NE(lost.find("not the 100 asked for"), std::string::npos);
+  const std::string lost = notes("capsule:radius=0.1,length=6 --atoms 160");
+  EXPECT_NE(lost.find("not the 160 asked for"), std::string::npos);
   EXPECT_NE(lost.find("left out"), std::string::npos);
   const std::string met = notes("sphere --atoms 500");
   EXPECT_EQ(met.find("asked for"), std::string::npos);

@@ -83,6 +83,19 @@ TEST(Remesh, JoinsNeedlesBeforeItSplitsThem) {
   EXPECT_LT(result.relative_spread, 0.15);
 }
 
+TEST(Remesh, DividesFansOfEdgesFarLongerThanTheTarget) {
+  // Six rails of 500 edges: with one split a round at their ends, the mesh grew without end.
+  const TriMesh prism = needle_cylinder(6, 500.0);
+  std::size_t max_vertices = 0;
+  const RemeshResult result = remesh(
+      prism, {.target_edge_length = 1.0, .on_progress = [&](const RemeshProgress& state) {
+                max_vertices = std::max(max_vertices, static_cast<std::size_t>(state.vertices));
+              }});
+  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 2);
+  EXPECT_LT(max_vertices, 2 * result.mesh.n_vertices());
+  EXPECT_LT(result.relative_spread, 0.15);
+}
+
 TEST(Remesh, KeepsEveryVertexOnTheOriginal) {
   const TriMesh original = make_shape("ellipsoid", {}, 0.2);
   const RemeshResult result = remesh(original, {.target_edge_length = 0.15});
@@ -200,6 +213,15 @@ TEST(Remesh, ThrowsOnANeedleInsteadOfSplittingItForever) {
   TriMesh needle = make_shape("sphere", {}, 0.2);
   needle.point(VertexHandle(7)) = {0.0, 0.0, 1e11};
   EXPECT_THROW(remesh(needle, {.target_edge_length = 1e4}), InvalidOption);
+}
+
+TEST(Remesh, ThrowsOnATubeLeanerThanTheLeanestClosedNet) {
+  // Tetrahedra face to face: 2 faces and m/√10 of length each.
+  const double leanest = 2.0 * std::sqrt(3.0) / 4.0 * std::sqrt(10.0);
+  const TriMesh tube = needle_cylinder(60, 200.0);
+  const double longest = 2.0 * std::numbers::pi / leanest;
+  EXPECT_THROW((void)remesh(tube, {.target_edge_length = 1.1 * longest}), InvalidOption);
+  EXPECT_NO_THROW((void)remesh(tube, {.target_edge_length = 0.9 * longest, .iterations = 1}));
 }
 
 TEST(Remesh, ThrowsOnATargetThatNeedsTooManyFaces) {

@@ -70,20 +70,25 @@ void find_obstacles(const remesh::MeshComponents& components, Plan& plan) {
                              bytes_text(*plan.free_memory) + " are free; ask for fewer atoms");
   }
   int too_small = 0;
-  const remesh::MeshComponent* too_narrow = nullptr;
+  const remesh::MeshComponent* narrow = nullptr;
+  double longest_of_narrow = plan.shell.edge_length;
   for (const remesh::MeshComponent& part : components.parts) {
     if (remesh::longest_edge_for(part.area, part.is_closed()) < plan.shell.edge_length) {
       ++too_small;
-    } else if (remesh::longest_edge_along(part.area, part.box.longest_side()) <
-               plan.shell.edge_length) {
-      too_narrow = too_narrow == nullptr ? &part : too_narrow;
+    } else if (const double longest =
+                   remesh::longest_edge_along(part.area, part.box.longest_side(), part.is_closed());
+               longest < longest_of_narrow) {
+      longest_of_narrow = longest;
+      narrow = &part;
     }
   }
-  if (too_narrow != nullptr) {
-    plan.obstacles.push_back("a component is " + significant(too_narrow->box.longest_side()) +
-                             " long and too narrow for edges of " +
-                             significant(plan.shell.edge_length) +
-                             "; remove points that lie far off, or make the shell larger");
+  if (narrow != nullptr) {
+    const double atoms = plan.shell.atoms * std::pow(plan.shell.edge_length / longest_of_narrow, 2);
+    plan.obstacles.push_back(
+        "a component is " + significant(narrow->box.longest_side()) +
+        " long and too narrow for edges of " + significant(plan.shell.edge_length) +
+        "; remove points that lie far off, or make the shell larger: " +
+        std::to_string(std::llround(std::ceil(atoms))) + " atoms or more would do");
   }
   if (too_small == 0) return;
   if (plan.components == 1) {

@@ -53,7 +53,7 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
 bool can_hold(const TriMesh& surface, double length) {
   return std::ranges::all_of(find_components(surface).parts, [&](const MeshComponent& part) {
     return length <= longest_edge_for(part.area, part.is_closed()) &&
-           length <= longest_edge_along(part.area, part.box.longest_side());
+           length <= longest_edge_along(part.area, part.box.longest_side(), part.is_closed());
   });
 }
 

@@ -57,7 +57,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
                                  component.area, "; it can hold at most ", largest));
     }
     const double length = component.box.longest_side();
-    const double largest_along = longest_edge_along(component.area, length);
+    const double largest_along = longest_edge_along(component.area, length, component.is_closed());
     if (target > largest_along) {
       const auto first_face = std::ranges::find(components.of_face, static_cast<int>(i));
       throw InvalidOption(

@@ -58,18 +58,37 @@ bool should_stop(const RemeshOptions& options) {
   return options.should_stop && options.should_stop();
 }
 
-/// Joins needles side by side, by collapses of their short edges.
-void join_needles(ConstrainedMesh& constrained, const RemeshOptions& options) {
+/// Joins needles side by side, by collapses of their short edges that make none of `overlong`.
+void join_needles(ConstrainedMesh& constrained, const RemeshOptions& options, double overlong) {
   const StellarLimits limits = limits_of_iteration(constrained.mesh, options, 1);
   constexpr int max_rounds = 50;  // each about halves their number
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const StellarLimits collapses_only = {.target = limits.target,
                                         .shortest = limits.shortest,
-                                        .longest = infinity,
-                                        .overlong = infinity,
+                                        .longest = std::numeric_limits<double>::infinity(),
+                                        .overlong = overlong,
                                         .mends_valences = false};
   for (int round = 0; round < max_rounds; ++round) {
     if (should_stop(options) || apply_stellar_operations(constrained, collapses_only) == 0) return;
+  }
+}
+
+double longest_edge_length(const TriMesh& mesh) {
+  double longest = 0.0;
+  for (const auto e : mesh.edges()) longest = std::max(longest, edge_length(mesh, e));
+  return longest;
+}
+
+/// Halves edges far longer than the target, and joins what is then too narrow.
+void divide_far_edges(ConstrainedMesh& constrained, const RemeshOptions& options) {
+  constexpr double far = 4.0;  // times the target
+  const double length = far * options.target_edge_length;
+  // Flips may make some long again, so that the last of them are left to the loop.
+  const double longest = longest_edge_length(constrained.mesh);
+  const int rounds = static_cast<int>(std::ceil(std::log2(std::max(longest / length, 1.0))));
+  for (int round = 0; round < rounds && !should_stop(options); ++round) {
+    split_edges_longer_than(constrained, length);
+    correct_valences(constrained);
+    join_needles(constrained, options, longest_edge_length(constrained.mesh));
   }
 }
 
@@ -102,8 +121,9 @@ bool differs_by_a_tenth(std::size_t vertices, std::size_t before) {
 bool remesh_in_place(ConstrainedMesh& constrained, const RemeshOptions& options,
                      const std::function<void(const RemeshProgress&)>& after_iteration) {
   if (consists_of_needles(constrained.mesh, options.target_edge_length)) {
-    join_needles(constrained, options);
+    join_needles(constrained, options, std::numeric_limits<double>::infinity());
   }
+  divide_far_edges(constrained, options);
   std::size_t numbered = 0;  // vertices when they were last numbered
   for (int i = 1; i <= options.iterations; ++i) {
     if (should_stop(options)) return false;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "equalize/face_guard.h"
@@ -151,6 +152,17 @@ class StellarRound {
 
 int apply_stellar_operations(ConstrainedMesh& constrained, const StellarLimits& limits) {
   return StellarRound(constrained, limits).run();
+}
+
+int split_edges_longer_than(ConstrainedMesh& constrained, double length) {
+  std::vector<std::pair<double, EdgeHandle>> list;
+  for (const auto e : constrained.mesh.edges()) {
+    const double longer = edge_length(constrained.mesh, e);
+    if (longer > length) list.emplace_back(longer, e);
+  }
+  std::ranges::stable_sort(list, std::greater(), [](const auto& entry) { return entry.first; });
+  for (const auto& [longer, e] : list) constrained.split(e);
+  return static_cast<int>(list.size());
 }
 
 }  // namespace trivalent::remesh

@@ -88,7 +88,11 @@ double longest_edge_for(double area, bool is_closed) {
   return std::sqrt(area / min_faces / unit_triangle_area);
 }
 
-double longest_edge_along(double area, double length) { return 2.0 * area / length; }
+double longest_edge_along(double area, double length, bool is_closed) {
+  // A little below √7.5 = 2.74 for closed ones, as edges are of about one length only.
+  const double girth = is_closed ? 2.6 : 0.5;
+  return area / (girth * length);
+}
 
 MeshComponents find_components(const TriMesh& mesh) {
   const FacesByComponent walk = faces_by_component(mesh);
