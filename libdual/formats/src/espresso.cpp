@@ -1,8 +1,11 @@
 #include "trivalent/formats/espresso.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <optional>
 #include <ostream>
+#include <string_view>
 
 #include "cell_frame.h"
 #include "columns_of_text.h"
@@ -144,6 +147,22 @@ std::string_view pseudopotential_of(potentials::Species species) {
                                                 : "H.pbe-kjpaw_psl.1.0.0.UPF";
 }
 
+/// Appends a number that reads back the same, with a decimal point and no exponent: pymatgen skips
+/// lines with others.
+void append_plain(std::string& text, double value) {
+  std::array<char, 512> buffer = {};
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+  const std::string_view number(buffer.data(), result.ptr);
+  text += ' ';
+  text += number;
+  if (number.find('.') == std::string_view::npos) text += ".0";
+}
+
+void append_plain(std::string& text, const Eigen::Vector3d& vector) {
+  for (const double component : vector) append_plain(text, component);
+}
+
 }  // namespace
 
 StructureFile read_espresso(const std::filesystem::path& path, const ReadOptions& options) {
@@ -172,13 +191,17 @@ std::vector<std::string> write_espresso(std::ostream& out, const Structure& stru
       "  degauss = 0.01\n/\n&electrons\n/\n&ions\n/\nATOMIC_SPECIES\n",
       species, "CELL_PARAMETERS angstrom\n");
   for (int k = 0; k < 3; ++k) {
-    append_vector(text, frame.cell.col(k), Digits::seventeen_significant);
+    append_plain(text, frame.cell.col(k));
     text += '\n';
   }
   text += "ATOMIC_POSITIONS angstrom\n";
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     text += symbol_of(atoms.species[i]);
-    append_vector(text, frame.positions[i], options.digits);
+    if (options.digits == Digits::ten_decimals) {
+      append_vector(text, frame.positions[i], options.digits);
+    } else {
+      append_plain(text, frame.positions[i]);
+    }
     text += '\n';
   }
   out << text << "K_POINTS gamma\n";

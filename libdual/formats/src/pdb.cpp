@@ -128,15 +128,17 @@ class PdbReader {
   std::vector<std::array<int, 2>> pairs_;
 };
 
+/// Serial numbers below this are decimal.
+constexpr std::size_t n_decimal_serials = 100000;
+
 /// A number in five columns: decimal up to 99,999, then with a letter first and to the base 36
 /// (A0000 is 100,000).
 std::string hybrid_36(std::size_t number) {
-  constexpr std::size_t n_decimal = 100000;
   constexpr std::size_t base = 36;
   constexpr std::size_t first_letter = 10 * base * base * base * base;
   constexpr std::size_t n_upper = 26 * base * base * base * base;
-  if (number < n_decimal) return std::to_string(number);
-  number -= n_decimal;
+  if (number < n_decimal_serials) return std::to_string(number);
+  number -= n_decimal_serials;
   const bool is_upper = number < n_upper;
   if (!is_upper) number -= n_upper;
   number += first_letter;
@@ -191,9 +193,9 @@ void write_bonds(std::ostream& out, std::size_t n_atoms,
     for (std::size_t k = 0; k < bonded[i].size(); ++k) {
       if (k % per_record == 0) {
         line += line.empty() ? "CONECT" : "\nCONECT";
-        append_right(line, hybrid_36(i + 1), 5);
+        append_right(line, std::to_string(i + 1), 5);
       }
-      append_right(line, hybrid_36(static_cast<std::size_t>(bonded[i][k]) + 1), 5);
+      append_right(line, std::to_string(bonded[i][k] + 1), 5);
     }
     if (!line.empty()) out << line << '\n';
     line.clear();
@@ -217,7 +219,13 @@ std::vector<std::string> write_pdb(std::ostream& out, const Structure& structure
   const bool is_periodic = atoms.box.is_periodic();
   if (is_periodic) frame = cell_frame(atoms, CellKind::triangular);
   frame.notes.emplace_back("positions have 3 decimals");
-  const std::vector<std::array<int, 2>> pairs = bond_pairs(structure, frame.notes);
+  std::vector<std::array<int, 2>> pairs = bond_pairs(structure, frame.notes);
+  if (!pairs.empty() && atoms.size() >= n_decimal_serials) {
+    // MDAnalysis refuses a file with hybrid-36 in CONECT; others take such numbers modulo 100,000.
+    pairs.clear();
+    frame.notes.emplace_back(
+        "bonds are left out: few readers know CONECT beyond atom 99,999; MOL2 has no such limit");
+  }
   if (is_periodic) write_cell(out, frame.cell);
   write_atoms(out, atoms, frame.positions);
   write_bonds(out, atoms.size(), pairs);
