@@ -70,7 +70,8 @@ const Command convert_command = {
     .name = "convert",
     .synopsis = "IN OUT [--guess-bonds] [--symmetry TOLERANCE] [options]",
     .meaning =
-        "Writes atoms in another format: LAMMPS data, POSCAR, CIF, PDB, GRO, MOL2, inputs of "
+        "Writes atoms in another format: LAMMPS data, POSCAR, CIF, mmCIF, PDB, GRO, MOL2, inputs "
+        "of "
         "DFTB+, Quantum ESPRESSO and CP2K",
     .run = run};
 

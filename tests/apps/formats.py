@@ -28,6 +28,7 @@ warnings.simplefilter('ignore')  # of readers that miss atom types, masses, ...
 
 # Precision of positions [Å], and whether the format has bonds.
 FORMATS = {'.extxyz': (1e-9, True), '.data': (1e-9, True), '.vasp': (1e-9, False), '.cif': (1e-9, True),
+           '.mmcif': (1e-9, False),
            '.pdb': (2e-3, True), '.gro': (2e-2, False), '.mol2': (1e-9, True), '.gen': (1e-9, False),
            '.pwi': (1e-9, False), '.inp': (1e-9, False)}
 SINGLE_PRECISION = 1e-4  # of readers that keep positions so, at 500 Å
@@ -63,7 +64,7 @@ def by_gemmi(path):
         points = [cell.orthogonalize(site.fract).tolist() for site in sites]
         numbers = [site.element.atomic_number for site in sites]
     else:
-        whole = gemmi.read_pdb(path)
+        whole = gemmi.read_structure(path, format=gemmi.CoorFormat.Pdb if path.endswith('.pdb') else gemmi.CoorFormat.Mmcif)
         cell = whole.cell
         atoms = [cra.atom for cra in whole[0].all()]
         points = [atom.pos.tolist() for atom in atoms]
@@ -137,12 +138,12 @@ def readers_by_format():
                  '.gen': 'gen', '.pwi': 'espresso-in'}
     table = {extension: [('ASE', by_ase(form), 1e-9, True)] for extension, form in ase_forms.items()}
     table['.data'] = [('ASE', by_ase_data, 1e-9, True)]
-    groups = [('gemmi', has('gemmi'), by_gemmi, 1e-9, True, ['.cif', '.pdb']),
+    groups = [('gemmi', has('gemmi'), by_gemmi, 1e-9, True, ['.cif', '.mmcif', '.pdb']),
               # It does not read CRYSIN of MOL2.
               ('MDAnalysis', has('MDAnalysis'), by_mdanalysis, SINGLE_PRECISION, True, ['.data', '.pdb', '.gro']),
               ('MDAnalysis', has('MDAnalysis'), by_mdanalysis, SINGLE_PRECISION, False, ['.mol2']),
               # Positions to four decimals and no cell: its MOL2 is where they come from.
-              ('Open Babel', shutil.which('obabel'), by_openbabel, 2e-4, False, ['.mol2', '.pdb', '.gro', '.vasp', '.extxyz']),
+              ('Open Babel', shutil.which('obabel'), by_openbabel, 2e-4, False, ['.mol2', '.pdb', '.gro', '.vasp', '.extxyz', '.mmcif']),
               ('pymatgen', has('pymatgen'), by_pymatgen, 1e-9, True, ['.vasp', '.pwi', '.inp']),
               ('xtb', shutil.which('xtb'), by_xtb, 1e-6, False, ['.gen'])]
     for name, is_there, read, precision, has_cell, extensions in groups:
@@ -251,10 +252,12 @@ def check_format(program, table, name, atoms, bonded, n_bonds, extension, folder
             continue
         if who == 'Open Babel' and len(atoms) > 1000 and extension != '.mol2':
             continue  # it searches for bonds for minutes
-        if not has_cell and atoms.pbc.any() and len(atoms) < 1000:
-            continue  # distances to nearest images cannot be told
         found, bonds = read(path)
-        problem = fault(atoms, found, max(precision, least), has_cell)
+        if not has_cell and atoms.pbc.any() and len(atoms) < 1000:
+            # Distances to nearest images cannot be told.
+            problem = None if len(found) == len(atoms) else f'{len(found)} atoms'
+        else:
+            problem = fault(atoms, found, max(precision, least), has_cell)
         if not problem and keeps_bonds and bonds is not None and bonds != n_bonds:
             problem = f'{bonds} bonds instead of {n_bonds}'
         table.add(who, name, extension, problem)

@@ -32,4 +32,12 @@ namespace trivalent::dual {
 std::vector<std::string> write_cif(std::ostream& out, const Structure& structure,
                                    const WriteOptions& options = {});
 
+/// Writes the atoms of an mmCIF file (_atom_site of the PDBx/mmCIF dictionary) as one residue UNL
+/// in Å, with the cell of periodic atoms in P 1. Unlike PDB it has no limits on numbers and digits.
+///
+/// @return  Notes on what changed: the cell, periodic directions, bonds.
+/// @throws InvalidOption, InvalidNetwork  if the cell is flat, or a coordinate is not finite.
+std::vector<std::string> write_mmcif(std::ostream& out, const Structure& structure,
+                                     const WriteOptions& options = {});
+
 }  // namespace trivalent::dual
