@@ -24,8 +24,12 @@ struct Level {
   /// 1 of bending energy on each division.
   double pentagon;
   double heptagon;
+  /// How a net freezes is luck, which averages out in a large one: small ones are ordered as often
+  /// as makes this many vertices in all, and the one of least energy is taken.
+  int searched_vertices;
 };
-constexpr std::array<Level, 3> levels = {{{4, 2.8, -0.3}, {2, 1.9, -1.2}, {1, 1.0, -2.1}}};
+constexpr std::array<Level, 3> levels = {
+    {{4, 2.8, -0.3, 1800}, {2, 1.9, -1.2, 2400}, {1, 1.0, -2.1, 4800}}};
 
 /// Temperatures [eV] and rounds of an annealing.
 struct Schedule {
@@ -34,12 +38,8 @@ struct Schedule {
   int rounds;
 };
 /// The first net orders as a whole: hot and slow.
-constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 2400};
-/// How a net freezes is luck, which averages out in a large one: small ones are ordered as often as
-/// makes this many vertices in all, and the one of least energy is taken.
-constexpr int searched_vertices = 2400;
-constexpr int searched_vertices_of_small = 4800;  // which are not divided any more
-constexpr int max_searches = 16;
+constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 1600};
+constexpr int max_searches = 16;           // of a first net
 constexpr int min_ordering_rounds = 1200;  // of each of them
 /// An order found at four times the length still has pairs to lose at twice the length.
 constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
@@ -49,9 +49,6 @@ constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
 /// A net must have room for patches, or its defects see the whole of it.
 constexpr int min_vertices_at_4 = 300;
-/// From here on an order found at four times the length is rarely bettered at twice the length,
-/// which takes longest.
-constexpr int enough_vertices_at_4 = 1200;
 /// Parts thinner than this [edges] are inflated for the first net.
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
@@ -106,15 +103,9 @@ class MembraneSearch {
         whole_surface_(net_.on_surface.state()) {}
 
   std::optional<FoundNet> run() {
-    std::optional<Ordered> best;
-    for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-      if (!begins_at(level, best.has_value()) || !start(levels[level])) continue;
-      const Ordered ordered = order_from(level);
-      if (!best || ordered.energy < best->energy) best = ordered;
-    }
-    const bool is_coarse = best.has_value();
+    // An order found at four times the length is next to never bettered at twice the length.
+    const bool is_coarse = order_from(0) || order_from(1);
     if (is_coarse) {
-      net_.on_surface.restore(best->state);
       divide();
       watch_.expect(rounds_of(settling));
       anneal_level(levels.back(), settling, options_.seed);
@@ -132,23 +123,14 @@ class MembraneSearch {
     return mesh;
   }
 
-  /// A net of twice the target length, and the energy that tells good ones from others [eV].
-  struct Ordered {
-    double energy;
-    ConstrainedMesh::State state;
-  };
-
   /// Vertices of a net of the target length.
   [[nodiscard]] double n_vertices() const {
     return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
   }
 
-  /// Whether a search begins at a level, if another has begun at a coarser one or not.
-  [[nodiscard]] bool begins_at(std::size_t level, bool has_begun) const {
-    if (watch_.stopped()) return false;
-    if (levels[level].coarseness == 4) return n_vertices() >= 16.0 * min_vertices_at_4;
-    const bool is_cheap = n_vertices() < 16.0 * enough_vertices_at_4;
-    return !has_begun || (is_cheap && options_.effort != Effort::quick);
+  /// Whether a net at four times the target length has room for patches.
+  [[nodiscard]] bool has_room(const Level& level) const {
+    return level.coarseness < 4 || n_vertices() >= 16.0 * min_vertices_at_4;
   }
 
   /// Puts the first net on the surface, if it is thick enough for one.
@@ -164,19 +146,18 @@ class MembraneSearch {
     return true;
   }
 
-  /// Orders the first net of a level, and brings it to twice the target length.
-  Ordered order_from(std::size_t level) {
-    const int searches = searches_for(searched_vertices);
-    Schedule schedule = ordering;
-    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
-    watch_.expect(searches * rounds_of(schedule));
-    double energy = order(levels[level], schedule, searches);
+  /// Orders a first net at a level, and brings it to twice the target length.
+  ///
+  /// @return  False, without a net, where the shape is too small or too thin for that level.
+  bool order_from(std::size_t level) {
+    if (watch_.stopped() || !has_room(levels[level]) || !start(levels[level])) return false;
+    order(levels[level]);
     if (levels[level].coarseness == 4) {
       divide();
       watch_.expect(rounds_of(refining));
-      energy = anneal_level(levels[level + 1], refining, options_.seed);
+      anneal_level(levels[level + 1], refining, options_.seed);
     }
-    return {energy, net_.on_surface.state()};
+    return true;
   }
 
   /// Orders a net of the target length: small ones need no coarse one, thin ones would cross
@@ -188,11 +169,7 @@ class MembraneSearch {
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
-    const int searches = searches_for(searched_vertices_of_small);
-    Schedule schedule = ordering;
-    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
-    watch_.expect(searches * rounds_of(schedule));
-    order(levels.back(), schedule, searches);
+    order(levels.back());
     return true;
   }
 
@@ -209,8 +186,8 @@ class MembraneSearch {
     membrane.slack = bond.slack;
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
-    // 0.02 lets small nets lose a fifth of their vertices; 0.3 leaves nets of 30 to 120 one short.
-    membrane.count = 0.3 + 60.0 / n_vertices();
+    // 0.02 lets small nets lose a fifth of their vertices; 0.3 + 60/V leaves nets of 120 one short.
+    membrane.count = 0.3 + 240.0 / n_vertices();
     return membrane;
   }
 
@@ -228,9 +205,11 @@ class MembraneSearch {
   }
 
   /// Anneals the first net several times, and keeps the one of least energy.
-  ///
-  /// @return  That energy [eV].
-  double order(const Level& level, const Schedule& schedule, int searches) {
+  void order(const Level& level) {
+    const int searches = searches_for(level.searched_vertices);
+    Schedule schedule = ordering;
+    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
+    watch_.expect(searches * rounds_of(schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
     ConstrainedMesh::State best = start;
     double min_energy = std::numeric_limits<double>::infinity();
@@ -245,7 +224,6 @@ class MembraneSearch {
       best = net_.on_surface.state();
     }
     net_.on_surface.restore(best);
-    return min_energy;
   }
 
   /// @return  Energy of the membrane, cores and the count term included [eV].
