@@ -10,6 +10,7 @@
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/remesh/shapes.h"
+#include "trivalent/shell/ideal_source.h"
 
 namespace trivalent::apps {
 
@@ -84,10 +85,11 @@ OutputFolder::~OutputFolder() {
   if (is_new_) std::filesystem::remove(folder_, error);  // refused if it holds anything
 }
 
-std::string shapes_help() {
+namespace {
+
+std::string list_of(const std::vector<remesh::ShapeDescription>& descriptions) {
   std::ostringstream text;
-  text << "Built-in shapes, with parameters as in torus:R=3,r=1 (defaults in brackets):\n";
-  for (const remesh::ShapeDescription& shape : remesh::built_in_shapes()) {
+  for (const remesh::ShapeDescription& shape : descriptions) {
     text << "  " << shape.name << ": " << shape.meaning << '\n';
     for (const remesh::ShapeParameter& parameter : shape.parameters) {
       text << "      " << parameter.name << " [" << parameter.default_value
@@ -95,6 +97,19 @@ std::string shapes_help() {
     }
   }
   return text.str();
+}
+
+}  // namespace
+
+std::string shapes_help() {
+  return "Built-in shapes, with parameters as in torus:R=3,r=1 (defaults in brackets):\n" +
+         list_of(remesh::built_in_shapes());
+}
+
+std::string ideal_structures_help() {
+  return "Ideal structures, which stand for a file of atoms in every command "
+         "(nanotube:n=5,m=5):\n" +
+         list_of(shell::ideal_structures());
 }
 
 remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal) {

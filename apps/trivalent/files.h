@@ -52,6 +52,9 @@ class OutputFolder {
 /// Names and parameters of all built-in shapes, for --help.
 [[nodiscard]] std::string shapes_help();
 
+/// The ideal structures and their parameters, for help texts.
+[[nodiscard]] std::string ideal_structures_help();
+
 /// Reads a mesh file, tells the terminal what was changed on the way in.
 [[nodiscard]] remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal);
 

@@ -1,7 +1,9 @@
 #include "command.h"
 #include "files.h"
 #include "session.h"
+#include "trivalent/formats/structure_format.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/shell/ideal_source.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/surface_source.h"
 
@@ -23,18 +25,35 @@ Result describe(const remesh::TriMesh& mesh, const std::string& output) {
                    {"area", remesh::surface_area(mesh)}}};
 }
 
+void write_ideal(const std::string& name, const std::string& output, const Terminal& terminal) {
+  check_structure_output(output);
+  const dual::Structure structure = shell::make_ideal_structure(name);
+  terminal.notes(dual::write_structure(output, structure));
+  terminal.print({.table = {{"wrote", output},
+                            {"atoms", std::to_string(structure.atoms.size())},
+                            {"bonds", std::to_string(structure.bonds.size())}},
+                  .json = {{"file", output},
+                           {"atoms", structure.atoms.size()},
+                           {"bonds", structure.bonds.size()}}});
+}
+
 int run(const Command& self, std::span<const std::string> arguments) {
   Grammar grammar = {.arguments = {"NAME", "OUT"}, .options = po::options_description("Options")};
   grammar.options.add_options()  //
       ("edge", with_default(default_edge_length),
        "edge length of the triangles, in units of the shape");
-  grammar.epilog = shapes_help();
+  grammar.epilog = shapes_help() + '\n' + ideal_structures_help();
   const auto session = start(self, arguments, grammar);
   if (!session) return done;
 
+  const auto& name = session->get<std::string>("NAME");
   const auto& output = session->get<std::string>("OUT");
+  if (shell::is_ideal_structure(name)) {
+    write_ideal(name, output, session->terminal);
+    return done;
+  }
   check_output(output, mesh_extensions);
-  const shell::ShapeCall call = shell::parse_shape(session->get<std::string>("NAME"));
+  const shell::ShapeCall call = shell::parse_shape(name);
   const remesh::TriMesh mesh =
       remesh::make_shape(call.name, call.arguments, session->get<double>("edge"));
   remesh::write_mesh(mesh, output);
@@ -47,7 +66,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
 const Command shape_command = {
     .name = "shape",
     .synopsis = "NAME[:parameter=value,...] OUT [--edge l]",
-    .meaning = "Writes a built-in shape as a mesh file (OFF, OBJ, PLY, STL)",
+    .meaning =
+        "Writes a built-in shape as a mesh (OFF, OBJ, PLY, STL), or an ideal structure as atoms",
     .run = run};
 
 }  // namespace trivalent::apps

@@ -36,6 +36,32 @@ TEST_F(RelaxCommand, FindsGrapheneWithAFreeCell) {
   EXPECT_NEAR(result["energy_per_atom"].get<double>(), -7.394997, 1e-6);
 }
 
+TEST_F(RelaxCommand, BringsIdealStructuresToTheirKnownEnergies) {
+  const auto energy = [this](const std::string& arguments) {
+    const auto result = succeed("relax " + arguments + " -o out.extxyz --json").json();
+    EXPECT_TRUE(result["relaxation"]["bonds_broken"].empty());
+    return result["energy_per_atom"].get<double>();
+  };
+  // Minima of LAMMPS under the same REBO [eV/atom].
+  EXPECT_NEAR(energy("fullerene:N=60"), -6.84206, 1e-5);
+  EXPECT_NEAR(energy("fullerene:N=240"), -7.20509, 1e-5);
+  EXPECT_NEAR(energy("fullerene:N=540"), -7.29465, 1e-5);
+  EXPECT_NEAR(energy("nanotube:n=5,m=5 --relax-box"), -7.24617, 1e-5);
+  EXPECT_NEAR(energy("nanotube:n=10,m=0 --relax-box"), -7.28131, 1e-5);
+  EXPECT_NEAR(energy("graphene:nx=1,ny=1 --relax-box"), -7.39500, 1e-5);
+}
+
+TEST_F(RelaxCommand, BindsTheWallsOfAnOnion) {
+  const auto energy = [this](const std::string& arguments) {
+    return succeed("relax " + arguments + " -o out.extxyz --potential airebo --json")
+        .json()["energy"]
+        .get<double>();
+  };
+  const double binding =
+      energy("onion:walls=2") - energy("fullerene:N=60") - energy("fullerene:N=240");
+  EXPECT_NEAR(binding, -5.225, 2e-3);  // C60@C240 by LAMMPS's AIREBO
+}
+
 // Bent benzene: springs between any atoms within 2 Å used to hold it at -51.3 eV, "at rest".
 TEST_F(RelaxCommand, ClaimsTheForceThatEnergyFinds) {
   write("benzene.xyz",

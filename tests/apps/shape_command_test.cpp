@@ -43,4 +43,17 @@ TEST_F(ShapeCommand, FailsWhereItCannotWrite) {
   expect_failure(1, "full.off", "shape sphere full.off");
 }
 
+TEST_F(ShapeCommand, WritesIdealStructuresAsAtoms) {
+  const auto shape = succeed("shape nanotube:n=6,m=3,cells=2 tube.data --json").json();
+  EXPECT_EQ(shape["atoms"], 168);
+  const auto energy = [this](const std::string& tube) {
+    return succeed("energy " + tube + " --json").json()["energy_per_atom"].get<double>();
+  };
+  EXPECT_NEAR(energy("tube.data --periodic z"), energy("nanotube:n=6,m=3,cells=2"), 1e-8);
+  expect_failure(2, "extxyz", "shape fullerene:N=60 cage.off");
+  expect_failure(2, "80 and 140", "shape fullerene:N=100 cage.xyz");
+  expect_failure(2, "whole number", "shape nanotube:n=1.5 tube.xyz");
+  expect_failure(2, "atoms already", "build fullerene:N=60 -o out");
+}
+
 }  // namespace

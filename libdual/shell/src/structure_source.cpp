@@ -1,6 +1,7 @@
 #include "trivalent/shell/structure_source.h"
 
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/shell/ideal_source.h"
 #include "trivalent/shell/mesh_dual.h"
 
 namespace trivalent::shell {
@@ -26,6 +27,13 @@ bool is_given(const dual::ReadOptions& reading) {
 }
 
 dual::StructureFile read_file(const std::filesystem::path& path, const StructureOptions& options) {
+  if (!options.format && is_ideal_structure(path.string())) {
+    if (is_given(options.reading)) {
+      throw dual::InvalidOption(path.string() +
+                                " is made, not read: elements, atom style and frame mean nothing");
+    }
+    return {.structure = make_ideal_structure(path.string())};
+  }
   const dual::StructureFormat* format = choose_format(path, options);
   if (format != nullptr && format->read != nullptr) return format->read(path, options.reading);
   if (format != nullptr) {

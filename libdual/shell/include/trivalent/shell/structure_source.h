@@ -16,9 +16,10 @@ struct StructureOptions {
   dual::ReadOptions reading = {};                    ///< if the file is none of a mesh
 };
 
-/// Reads atoms from any of structure_formats(), or a mesh, and takes its dual. The file's name says
-/// which, unless the format is given; standard input ("-") needs one. Bonds and rings are known for
-/// the dual of a mesh, and as far as the format has them.
+/// Reads atoms from any of structure_formats(), makes one of ideal_structures()
+/// ("nanotube:n=10,m=5"), or reads a mesh and takes its dual. The file's name says which, unless
+/// the format is given; standard input ("-") needs one. Bonds and rings are known for the dual of a
+/// mesh, and as far as the format has them.
 ///
 /// @throws remesh::FileError, remesh::InvalidMesh, dual::InvalidNetwork if no structure results
 /// @throws dual::InvalidOption if the size is out of its range, the format is unknown or missing,

@@ -1,0 +1,105 @@
+#include "trivalent/shell/ideal_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivalent/dual/error.h"
+#include "trivalent/dual/ideal_structures.h"
+#include "trivalent/shell/surface_source.h"
+
+namespace trivalent::shell {
+namespace {
+
+using remesh::ShapeParameter;
+
+const ShapeParameter periodic = {"periodic", 1, "1: goes on in the next cell; 0: bare edges"};
+const ShapeParameter hydrogen = {"hydrogen", 0, "1: edges capped with hydrogen, not periodic"};
+
+/// The values of a call, checked against what its structure knows.
+class Values {
+ public:
+  explicit Values(const ShapeCall& call) : call_(call) {
+    const auto known =
+        std::ranges::find(ideal_structures(), call.name, &remesh::ShapeDescription::name);
+    for (const ShapeParameter& parameter : known->parameters) {
+      values_.push_back({parameter.name, parameter.default_value});
+    }
+    for (const remesh::ShapeArgument& argument : call.arguments) {
+      const auto found = std::ranges::find(values_, argument.name, &remesh::ShapeArgument::name);
+      if (found == values_.end()) {
+        throw remesh::InvalidOption(
+            dual::concat(call.name, " has no parameter '", argument.name, "'"));
+      }
+      if (argument.value != std::round(argument.value) || std::abs(argument.value) > 1e9) {
+        throw remesh::InvalidOption(dual::concat(call.name, ": ", argument.name, " is ",
+                                                 argument.value, "; it must be a whole number"));
+      }
+      found->value = argument.value;
+    }
+  }
+
+  [[nodiscard]] int operator[](std::string_view name) const {
+    return static_cast<int>(std::ranges::find(values_, name, &remesh::ShapeArgument::name)->value);
+  }
+
+  [[nodiscard]] dual::Edges edges() const {
+    const bool is_capped = (*this)["hydrogen"] != 0;
+    const bool says_periodic = std::ranges::any_of(call_.arguments, [](const auto& argument) {
+      return argument.name == "periodic" && argument.value != 0.0;
+    });
+    if (is_capped && says_periodic) {
+      throw remesh::InvalidOption(call_.name + ": periodic=1 leaves no edges for hydrogen=1");
+    }
+    if (is_capped) return dual::Edges::hydrogen;
+    return (*this)["periodic"] != 0 ? dual::Edges::periodic : dual::Edges::bare;
+  }
+
+ private:
+  const ShapeCall& call_;
+  std::vector<remesh::ShapeArgument> values_;
+};
+
+}  // namespace
+
+const std::vector<remesh::ShapeDescription>& ideal_structures() {
+  static const std::vector<remesh::ShapeDescription> structures = {
+      {"nanotube",
+       "tube of graphene along z",
+       {{"n", 10, "first number of the chiral vector"},
+        {"m", 10, "second number"},
+        {"cells", 1, "translational cells along the tube"},
+        periodic,
+        hydrogen}},
+      {"graphene",
+       "sheet in the xy plane",
+       {{"nx", 10, "cells of 2.46 Å along a zigzag row"},
+        {"ny", 6, "cells of 4.26 Å across"},
+        periodic,
+        hydrogen}},
+      {"fullerene",
+       "icosahedral cage",
+       {{"N", 60, "atoms: 20 (h² + hk + k²) for whole h and k, as 20, 60, 80, 140, 180, 240"}}},
+      {"onion", "icosahedral cages of 60 k² atoms inside each other", {{"walls", 3, "how many"}}}};
+  return structures;
+}
+
+bool is_ideal_structure(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find(':'));
+  return std::ranges::count(ideal_structures(), name, &remesh::ShapeDescription::name) > 0;
+}
+
+dual::Structure make_ideal_structure(std::string_view text) {
+  const ShapeCall call = parse_shape(text);
+  const Values values(call);
+  if (call.name == "nanotube") {
+    return dual::nanotube(
+        {.n = values["n"], .m = values["m"], .cells = values["cells"], .edges = values.edges()});
+  }
+  if (call.name == "graphene") {
+    return dual::graphene_sheet(values["nx"], values["ny"], values.edges());
+  }
+  if (call.name == "fullerene") return dual::icosahedral_fullerene(values["N"]);
+  return dual::icosahedral_onion(values["walls"]);
+}
+
+}  // namespace trivalent::shell

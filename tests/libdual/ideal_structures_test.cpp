@@ -1,0 +1,160 @@
+#include "trivalent/dual/ideal_structures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "trivalent/dual/error.h"
+#include "trivalent/dual/graphene.h"
+#include "trivalent/shell/ideal_source.h"
+
+namespace trivalent::dual {
+namespace {
+
+std::map<int, int> atoms_by_bonds(const Structure& structure) {
+  std::vector<int> numbers(structure.atoms.size(), 0);
+  for (const potentials::Bond& bond : structure.bonds) {
+    ++numbers[bond.first];
+    ++numbers[bond.second];
+  }
+  std::map<int, int> counts;
+  for (const int number : numbers) ++counts[number];
+  return counts;
+}
+
+void expect_bonds_near(const Structure& structure, double shortest, double longest) {
+  for (const potentials::Bond& bond : structure.bonds) {
+    const double length = potentials::bond_length(structure.atoms, bond);
+    EXPECT_GT(length, shortest);
+    EXPECT_LT(length, longest);
+  }
+}
+
+/// Nothing but the bonds is within reach of a bond.
+void expect_no_other_neighbors(const Structure& structure) {
+  const potentials::BondChanges changes =
+      potentials::bond_changes(structure.atoms, structure.bonds);
+  EXPECT_TRUE(changes.formed.empty());
+  EXPECT_TRUE(changes.broken.empty());
+}
+
+struct Chirality {
+  int n;
+  int m;
+};
+
+class EveryTube : public testing::TestWithParam<Chirality> {};
+
+TEST_P(EveryTube, HasTheAtomsOfItsCellAndThreeBondsEach) {
+  const auto [n, m] = GetParam();
+  const int divisor = std::gcd(2 * n + m, 2 * m + n);
+  for (const int cells : {1, 3}) {
+    const Structure tube = nanotube({.n = n, .m = m, .cells = cells});
+    const int atoms = cells * 4 * (n * n + n * m + m * m) / divisor;  // [Saito1998, Section 3.3]
+    EXPECT_EQ(atoms_by_bonds(tube), (std::map<int, int>{{3, atoms}}));
+    // Chords of the thinnest tubes are a tenth shorter than their arcs.
+    expect_bonds_near(tube, 0.9 * graphene_bond, 1.00001 * graphene_bond);
+    expect_no_other_neighbors(tube);
+    const double length =  // [Saito1998, Section 3.3]
+        cells * 3.0 * graphene_bond * std::sqrt(n * n + n * m + m * m) / divisor;
+    EXPECT_NEAR(tube.atoms.box.cell(2, 2), length, 1e-9);
+  }
+}
+
+TEST_P(EveryTube, ClosesFreeEndsWithHydrogen) {
+  const auto [n, m] = GetParam();
+  const Structure bare = nanotube({.n = n, .m = m, .cells = 4, .edges = Edges::bare});
+  EXPECT_FALSE(bare.atoms.box.is_periodic());
+  for (const auto& [bonds, atoms] : atoms_by_bonds(bare)) {
+    EXPECT_TRUE(bonds == 2 || bonds == 3) << atoms << " atoms of " << bonds;
+  }
+  const Structure capped = nanotube({.n = n, .m = m, .cells = 4, .edges = Edges::hydrogen});
+  const auto hydrogens =
+      static_cast<int>(std::ranges::count(capped.atoms.species, potentials::Species::hydrogen));
+  EXPECT_EQ(hydrogens, atoms_by_bonds(bare)[2]);
+  EXPECT_EQ(atoms_by_bonds(capped)[1], hydrogens);
+}
+
+INSTANTIATE_TEST_SUITE_P(IdealStructures, EveryTube,
+                         testing::Values(Chirality{3, 0}, Chirality{2, 2}, Chirality{5, 5},
+                                         Chirality{10, 0}, Chirality{6, 3}, Chirality{3, 6},
+                                         Chirality{7, 4}, Chirality{12, 5}),
+                         [](const auto& parameter) {
+                           return std::to_string(parameter.param.n) + "_" +
+                                  std::to_string(parameter.param.m);
+                         });
+
+TEST(GrapheneSheet, IsPeriodicOrHasEdges) {
+  const Structure sheet = graphene_sheet(3, 2, Edges::periodic);
+  EXPECT_EQ(atoms_by_bonds(sheet), (std::map<int, int>{{3, 24}}));
+  expect_bonds_near(sheet, 0.99999 * graphene_bond, 1.00001 * graphene_bond);
+  expect_no_other_neighbors(sheet);
+  const Structure flake = graphene_sheet(3, 2, Edges::hydrogen);
+  const auto counts = atoms_by_bonds(flake);
+  EXPECT_EQ(counts.count(2), 0u);
+  EXPECT_EQ(counts.at(1), static_cast<int>(std::ranges::count(flake.atoms.species,
+                                                              potentials::Species::hydrogen)));
+}
+
+TEST(IcosahedralFullerene, HasTwelvePentagonsAndHexagons) {
+  // Of all three classes: h and 0, h and h, and others.
+  for (const int n_atoms : {20, 60, 80, 140, 180, 240, 260, 420, 540, 980, 1280}) {
+    const Structure cage = icosahedral_fullerene(n_atoms);
+    EXPECT_EQ(atoms_by_bonds(cage), (std::map<int, int>{{3, n_atoms}})) << n_atoms;
+    std::map<std::size_t, int> rings;
+    for (const Ring& ring : cage.rings) ++rings[ring.atoms.size()];
+    std::map<std::size_t, int> expected = {{5, 12}};
+    if (n_atoms > 20) expected[6] = n_atoms / 2 - 10;
+    EXPECT_EQ(rings, expected) << n_atoms;
+    expect_no_other_neighbors(cage);
+  }
+}
+
+TEST(IcosahedralFullerene, NamesTheNearestNumbersOfAtoms) {
+  try {
+    static_cast<void>(icosahedral_fullerene(100));
+    FAIL();
+  } catch (const InvalidOption& error) {
+    EXPECT_NE(std::string(error.what()).find("80 and 140"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(static_cast<void>(icosahedral_fullerene(-60)), InvalidOption);
+  EXPECT_THROW(static_cast<void>(icosahedral_fullerene(61)), InvalidOption);
+}
+
+TEST(IcosahedralOnion, HasNoBondAcrossItsWalls) {
+  const Structure onion = icosahedral_onion(3);
+  EXPECT_EQ(onion.atoms.size(), 60u + 240u + 540u);
+  const auto& walls = std::get<std::vector<int>>(onion.columns.at(0).values);
+  for (const potentials::Bond& bond : onion.bonds) {
+    EXPECT_EQ(walls[bond.first], walls[bond.second]);
+  }
+  expect_no_other_neighbors(onion);
+  EXPECT_THROW(static_cast<void>(icosahedral_onion(0)), InvalidOption);
+}
+
+TEST(IdealStructures, RefuseWhatTheyCannotMake) {
+  for (const Nanotube& tube : {Nanotube{.n = 0}, Nanotube{.n = 5, .m = -1}, Nanotube{.cells = 0},
+                               Nanotube{.n = 2, .m = 1}, Nanotube{.n = 10000, .cells = 100000}}) {
+    EXPECT_THROW(static_cast<void>(nanotube(tube)), InvalidOption);
+  }
+  EXPECT_THROW(static_cast<void>(graphene_sheet(0, 1, Edges::periodic)), InvalidOption);
+  EXPECT_THROW(static_cast<void>(graphene_sheet(1, 1, Edges::bare)), InvalidOption);
+}
+
+TEST(IdealStructures, AreNamedWithWholeNumbers) {
+  using shell::make_ideal_structure;
+  EXPECT_EQ(make_ideal_structure("nanotube:n=5,m=5,cells=2").atoms.size(), 40u);
+  EXPECT_EQ(make_ideal_structure("fullerene").atoms.size(), 60u);
+  EXPECT_FALSE(make_ideal_structure("graphene:periodic=0").atoms.box.is_periodic());
+  for (const char* text :
+       {"nanotube:n=5.5", "nanotube:q=5", "nanotube:periodic=1,hydrogen=1", "fullerene:N=six"}) {
+    EXPECT_THROW(static_cast<void>(make_ideal_structure(text)), remesh::InvalidOption) << text;
+  }
+  EXPECT_TRUE(shell::is_ideal_structure("onion:walls=2"));
+  EXPECT_FALSE(shell::is_ideal_structure("onion.xyz"));
+}
+
+}  // namespace
+}  // namespace trivalent::dual
