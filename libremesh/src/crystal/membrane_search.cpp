@@ -24,12 +24,16 @@ struct Level {
   /// 1 of bending energy on each division.
   double pentagon;
   double heptagon;
-  /// How a net freezes is luck, which averages out in a large one: small ones are ordered as often
-  /// as makes this many vertices in all, and the one of least energy is taken.
-  int searched_vertices;
+  /// How a net freezes is luck, so that a small one is ordered up to so many times, and the order
+  /// of least energy is taken.
+  int max_orders;
+  double vertex_rounds;  ///< vertices · rounds of all orders together, within the limits
+  double max_rounds;     ///< of one order: on small nets several short ones find more
 };
-constexpr std::array<Level, 3> levels = {
-    {{4, 2.8, -0.3, 1800}, {2, 1.9, -1.2, 2400}, {1, 1.0, -2.1, 4800}}};
+constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 2, 1.5e6, 5000},
+                                          {4, 2.8, -0.3, 2, 1.5e6, 5000},
+                                          {2, 1.9, -1.2, 2, 4.0e6, 5000},
+                                          {1, 1.0, -2.1, 16, 5.8e6, 1200}}};
 
 /// Temperatures [eV] and rounds of an annealing.
 struct Schedule {
@@ -38,17 +42,17 @@ struct Schedule {
   int rounds;
 };
 /// The first net orders as a whole: hot and slow.
-constexpr Schedule ordering = {.hot = 4.0, .cold = 0.1, .rounds = 1600};
-constexpr int max_searches = 16;           // of a first net
-constexpr int min_ordering_rounds = 1200;  // of each of them
-/// An order found at four times the length still has pairs to lose at twice the length.
+constexpr double ordering_hot = 4.0;
+constexpr double ordering_cold = 0.1;
+constexpr double min_ordering_rounds = 1200.0;
+/// The order of a coarse net still has pairs to lose at half its length.
 constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
-/// At the target length defects only find their places.
+/// At finer lengths defects only find their places.
 constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
 /// A net must have room for patches, or its defects see the whole of it.
-constexpr int min_vertices_at_4 = 300;
+constexpr int min_vertices = 300;  // of the coarsest; at twice the target length less will do
 /// Parts thinner than this [edges] are inflated for the first net.
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
@@ -103,15 +107,12 @@ class MembraneSearch {
         whole_surface_(net_.on_surface.state()) {}
 
   std::optional<FoundNet> run() {
-    // An order found at four times the length is next to never bettered at twice the length.
-    const bool is_coarse = order_from(0) || order_from(1);
-    if (is_coarse) {
-      divide();
-      watch_.expect(rounds_of(settling));
-      anneal_level(levels.back(), settling, options_.seed);
-    } else if (watch_.stopped() || !start_small()) {
-      return std::nullopt;
+    // The coarsest order is next to never bettered at finer lengths.
+    bool is_coarse = false;
+    for (std::size_t level = 0; level + 1 < levels.size() && !is_coarse; ++level) {
+      is_coarse = order_from(level);
     }
+    if (!is_coarse && (watch_.stopped() || !start_small())) return std::nullopt;
     finish();
     scale(net_.mesh, 1.0 / scale_);
     return FoundNet{std::move(net_.mesh), is_coarse};
@@ -128,9 +129,10 @@ class MembraneSearch {
     return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
   }
 
-  /// Whether a net at four times the target length has room for patches.
+  /// Whether a net of this level has room for patches.
   [[nodiscard]] bool has_room(const Level& level) const {
-    return level.coarseness < 4 || n_vertices() >= 16.0 * min_vertices_at_4;
+    return level.coarseness == 2 ||
+           n_vertices() >= level.coarseness * level.coarseness * min_vertices;
   }
 
   /// Puts the first net on the surface, if it is thick enough for one.
@@ -146,16 +148,18 @@ class MembraneSearch {
     return true;
   }
 
-  /// Orders a first net at a level, and brings it to twice the target length.
+  /// Orders a first net at a level, and brings it to the target length.
   ///
   /// @return  False, without a net, where the shape is too small or too thin for that level.
   bool order_from(std::size_t level) {
     if (watch_.stopped() || !has_room(levels[level]) || !start(levels[level])) return false;
     order(levels[level]);
-    if (levels[level].coarseness == 4) {
+    for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
       divide();
-      watch_.expect(rounds_of(refining));
-      anneal_level(levels[level + 1], refining, options_.seed);
+      const bool is_refined = finer == level + 1 && levels[finer].coarseness > 1;
+      const Schedule& schedule = is_refined ? refining : settling;
+      watch_.expect(rounds_of(schedule));
+      anneal_level(levels[finer], schedule, options_.seed);
     }
     return true;
   }
@@ -199,23 +203,24 @@ class MembraneSearch {
     return vertices_for_faces(net_.mesh, faces);
   }
 
-  [[nodiscard]] int searches_for(int vertices_in_all) const {
-    if (options_.effort == Effort::quick) return 1;
-    return std::clamp(vertices_in_all / static_cast<int>(net_.mesh.n_vertices()), 1, max_searches);
-  }
-
-  /// Anneals the first net several times, and keeps the one of least energy.
+  /// Anneals the first net, a small one several times, and keeps the order of least energy.
   void order(const Level& level) {
-    const int searches = searches_for(level.searched_vertices);
-    Schedule schedule = ordering;
-    schedule.rounds = std::max(ordering.rounds / searches, min_ordering_rounds);
-    watch_.expect(searches * rounds_of(schedule));
+    const auto vertices = static_cast<double>(net_.mesh.n_vertices());
+    const double affordable = level.vertex_rounds / (vertices * min_ordering_rounds);
+    const int orders = options_.effort == Effort::quick
+                           ? 1
+                           : std::clamp(static_cast<int>(affordable), 1, level.max_orders);
+    const double rounds = std::clamp(level.vertex_rounds / (vertices * orders), min_ordering_rounds,
+                                     level.max_rounds);
+    const Schedule schedule = {
+        .hot = ordering_hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)};
+    watch_.expect(orders * rounds_of(schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
     ConstrainedMesh::State best = start;
     double min_energy = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < searches && !watch_.stopped(); ++k) {
+    for (int k = 0; k < orders && !watch_.stopped(); ++k) {
       net_.on_surface.restore(start);
-      // The odd constant keeps the searches of small seeds apart.
+      // The odd constant keeps the orders of small seeds apart.
       const std::uint64_t seed =
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
       const double energy = anneal_level(level, schedule, seed);
@@ -245,7 +250,7 @@ class MembraneSearch {
     options.last_temperature = is_last ? 0.0 : schedule.cold;
     options.rounds = rounds_of(schedule);
     options.wanted_vertices = wanted;
-    options.seed = seed * levels.size() + static_cast<std::uint64_t>(level.coarseness);
+    options.seed = 3 * seed + static_cast<std::uint64_t>(level.coarseness);
     options.after_round = [&](int) {
       return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);
     };
