@@ -33,14 +33,12 @@ double seconds_of_net(double atoms, const remesh::MeshComponents& components,
   const double effort = std::max(remesh::effort_factor(crystal.effort), min_effort);
   const bool has_curves = crystal.feature_angle ||
                           !std::ranges::all_of(components.parts, &remesh::MeshComponent::is_closed);
-  constexpr double springs_per_atom = 9e-4;
+  constexpr double springs_per_atom = 1.1e-3;
   if (has_curves) return effort * springs_per_atom * atoms;
-  // Small membranes are annealed several times; large ones at four times the edge length, which
-  // takes less per atom.
-  constexpr double any_membrane = 0.7;
-  constexpr double membrane_of_one_atom = 3.9e-3;
-  constexpr double exponent = 0.9;
-  return effort * (any_membrane + membrane_of_one_atom * std::pow(atoms, exponent));
+  constexpr double per_vertex_and_round = 2.8e-6;
+  constexpr double per_atom = 2e-4;  // the nets to start from, and the last relaxation
+  return per_atom * atoms +
+         per_vertex_and_round * remesh::annealing_work(0.5 * atoms, crystal.effort);
 }
 
 /// Processor time of whole builds; scripts/bench_forecast.py compares it with what they take.

@@ -24,16 +24,17 @@ struct Level {
   /// 1 of bending energy on each division.
   double pentagon;
   double heptagon;
+  double min_vertices;  ///< of a first net: it needs room for patches
   /// How a net freezes is luck, so that a small one is ordered up to so many times, and the order
   /// of least energy is taken.
   int max_orders;
   double vertex_rounds;  ///< vertices · rounds of all orders together, within the limits
   double max_rounds;     ///< of one order: on small nets several short ones find more
 };
-constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 2, 1.5e6, 5000},
-                                          {4, 2.8, -0.3, 2, 1.5e6, 5000},
-                                          {2, 1.9, -1.2, 2, 4.0e6, 5000},
-                                          {1, 1.0, -2.1, 16, 5.8e6, 1200}}};
+constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 300, 2, 1.5e6, 5000},
+                                          {4, 2.8, -0.3, 300, 2, 1.5e6, 5000},
+                                          {2, 1.9, -1.2, 150, 2, 4.0e6, 5000},
+                                          {1, 1.0, -2.1, 0, 16, 5.8e6, 1200}}};
 
 /// Temperatures [eV] and rounds of an annealing.
 struct Schedule {
@@ -51,12 +52,40 @@ constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
 constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
-/// A net must have room for patches, or its defects see the whole of it.
-constexpr int min_vertices = 300;  // of the coarsest; at twice the target length less will do
 /// Parts thinner than this [edges] are inflated for the first net.
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
 constexpr double sheet_reach = 1.5;
+
+/// Rounds of a schedule: fewer for a quick search, more for a thorough one.
+int rounds_for(const Schedule& schedule, Effort effort) {
+  // Defects need some rounds to find their places, however short the search.
+  constexpr int min_rounds = 60;
+  return std::max(static_cast<int>(std::lround(schedule.rounds * effort_factor(effort))),
+                  std::min(schedule.rounds, min_rounds));
+}
+
+/// How often and how long a first net is ordered.
+struct OrderPlan {
+  int orders;
+  Schedule schedule;
+};
+
+OrderPlan plan_order(const Level& level, double vertices, Effort effort) {
+  const double affordable = level.vertex_rounds / (vertices * min_ordering_rounds);
+  const int orders = effort == Effort::quick
+                         ? 1
+                         : static_cast<int>(std::clamp(affordable, 1.0, 1.0 * level.max_orders));
+  const double rounds =
+      std::clamp(level.vertex_rounds / (vertices * orders), min_ordering_rounds, level.max_rounds);
+  return {orders, {.hot = ordering_hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)}};
+}
+
+/// How a net goes on after a division into a level.
+const Schedule& schedule_after(std::size_t first_level, std::size_t level) {
+  const bool is_refined = level == first_level + 1 && levels[level].coarseness > 1;
+  return is_refined ? refining : settling;
+}
 
 constexpr int opening_steps = 100;
 constexpr int closing_steps = 400;
@@ -129,10 +158,9 @@ class MembraneSearch {
     return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
   }
 
-  /// Whether a net of this level has room for patches.
+  /// Whether a first net of this level has room for patches.
   [[nodiscard]] bool has_room(const Level& level) const {
-    return level.coarseness == 2 ||
-           n_vertices() >= level.coarseness * level.coarseness * min_vertices;
+    return n_vertices() >= level.coarseness * level.coarseness * level.min_vertices;
   }
 
   /// Puts the first net on the surface, if it is thick enough for one.
@@ -156,8 +184,7 @@ class MembraneSearch {
     order(levels[level]);
     for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
       divide();
-      const bool is_refined = finer == level + 1 && levels[finer].coarseness > 1;
-      const Schedule& schedule = is_refined ? refining : settling;
+      const Schedule& schedule = schedule_after(level, finer);
       watch_.expect(rounds_of(schedule));
       anneal_level(levels[finer], schedule, options_.seed);
     }
@@ -205,15 +232,8 @@ class MembraneSearch {
 
   /// Anneals the first net, a small one several times, and keeps the order of least energy.
   void order(const Level& level) {
-    const auto vertices = static_cast<double>(net_.mesh.n_vertices());
-    const double affordable = level.vertex_rounds / (vertices * min_ordering_rounds);
-    const int orders = options_.effort == Effort::quick
-                           ? 1
-                           : std::clamp(static_cast<int>(affordable), 1, level.max_orders);
-    const double rounds = std::clamp(level.vertex_rounds / (vertices * orders), min_ordering_rounds,
-                                     level.max_rounds);
-    const Schedule schedule = {
-        .hot = ordering_hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)};
+    const auto [orders, schedule] =
+        plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
     watch_.expect(orders * rounds_of(schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
     ConstrainedMesh::State best = start;
@@ -271,10 +291,7 @@ class MembraneSearch {
   }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {
-    // Defects need some rounds to find their places, however short the search.
-    const double factor = effort_factor(options_.effort);
-    return std::max(static_cast<int>(std::lround(schedule.rounds * factor)),
-                    std::min(schedule.rounds, 60));
+    return rounds_for(schedule, options_.effort);
   }
 
   /// Divides every face into four, in space.
@@ -310,6 +327,20 @@ class MembraneSearch {
 };
 
 }  // namespace
+
+double annealing_work(double vertices, Effort effort) {
+  std::size_t first = 0;
+  const auto vertices_of = [&](std::size_t level) {
+    return vertices / (levels[level].coarseness * levels[level].coarseness);
+  };
+  while (vertices_of(first) < levels[first].min_vertices) ++first;
+  const auto [orders, schedule] = plan_order(levels[first], vertices_of(first), effort);
+  double work = vertices_of(first) * orders * rounds_for(schedule, effort);
+  for (std::size_t level = first + 1; level < levels.size(); ++level) {
+    work += vertices_of(level) * rounds_for(schedule_after(first, level), effort);
+  }
+  return work;
+}
 
 std::optional<FoundNet> search_membrane(const SearchSurface& surface, const CrystalOptions& options,
                                         SearchWatch& watch) {

@@ -77,6 +77,12 @@ struct CrystalOptions {
 /// Cost: O(n) patches a round, and a fixed number of rounds.
 [[nodiscard]] RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options);
 
+/// How much annealing crystallize() does on a smooth closed surface, thick enough for coarse nets:
+/// the sum over all rounds of the vertices of the net that is annealed. Its time goes with it.
+///
+/// @param vertices  of the net at the target length, > 0
+[[nodiscard]] double annealing_work(double vertices, Effort effort);
+
 /// A remeshing method with its options.
 using RemeshMethod = std::variant<CrystalOptions, RemeshOptions>;
 
