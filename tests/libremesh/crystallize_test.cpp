@@ -254,5 +254,16 @@ TEST(CrystallizeNet, RefusesWhatRemeshRefuses) {
   EXPECT_THROW(static_cast<void>(crystallize(TriMesh(), quick(0.1))), InvalidMesh);
 }
 
+TEST(AnnealingWork, GrowsWithEffortAndSize) {
+  for (const double vertices : {32.0, 300.0, 2000.0, 10000.0, 100000.0}) {
+    const double normal = annealing_work(vertices, Effort::normal);
+    EXPECT_LT(annealing_work(vertices, Effort::quick), normal);
+    EXPECT_NEAR(annealing_work(vertices, Effort::thorough), 4.0 * normal, 0.01 * normal);
+    // The last 60 rounds are at the target length.
+    EXPECT_GT(normal, 60.0 * vertices);
+  }
+  EXPECT_LT(annealing_work(1e6, Effort::normal), 400.0 * 1e6);
+}
+
 }  // namespace
 }  // namespace trivalent::remesh

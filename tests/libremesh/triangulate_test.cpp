@@ -108,6 +108,12 @@ TEST(Triangulate, FillsPolygonsThatCrossThemselvesSomehow) {
   EXPECT_EQ(split(pentagram).triangles.size(), 3u);
 }
 
+TEST(Triangulate, EndsOnPolygonsThatComeBackToTheirCorners) {
+  // Every cut leads along an edge, and so does the cut to a point in its middle.
+  const TriangleSoup soup = split({{0, 0, 0}, {2, 0, 5}, {2, 0, 5}, {1, 0.5, 0}, {1, 0.5, 0}});
+  EXPECT_LT(soup.triangles.size(), 20u);
+}
+
 TEST(Triangulate, RefusesConcavePolygonsOfManyCorners) {
   std::vector<Eigen::Vector3d> comb;
   for (int k = 0; k < 2000; ++k) comb.emplace_back(k, k % 2, 0);

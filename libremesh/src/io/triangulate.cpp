@@ -240,12 +240,15 @@ class Triangulation {
   void cut_off_ears(PlanarPolygon polygon) {
     std::vector<std::size_t> left(polygon.size());
     std::iota(left.begin(), left.end(), std::size_t{0});
-    while (left.size() > 3) {
+    // New vertices in the middle of cuts can be needed once at each corner; in polygons that cross
+    // or touch themselves one may call for the next without end.
+    const std::size_t max_cuts = 2 * polygon.size();
+    for (std::size_t cuts = 0; left.size() > 3 && cuts < max_cuts; ++cuts) {
       const std::optional<Ear> ear = find_ear(polygon, left);
       if (!ear) break;
       cut_off(polygon, left, *ear);
     }
-    // The last triangle, or what is left of a polygon that crosses itself and so has no ear.
+    // The last triangle, or what is left of a polygon that crosses itself.
     for (std::size_t k = 1; k + 1 < left.size(); ++k) {
       append(polygon, {left[0], left[k], left[k + 1]});
     }
