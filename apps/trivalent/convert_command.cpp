@@ -54,13 +54,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   }
   const std::vector<std::string> notes = dual::write_structure(output, structure, options);
   session->terminal.notes(notes);
-  session->terminal.print({.table = {{"wrote", output},
-                                     {"atoms", std::to_string(structure.atoms.size())},
-                                     {"bonds", std::to_string(structure.bonds.size())}},
-                           .json = {{"file", output},
-                                    {"atoms", structure.atoms.size()},
-                                    {"bonds", structure.bonds.size()},
-                                    {"notes", notes}}});
+  session->terminal.print(describe_written(output, structure, notes));
   return done;
 }
 
@@ -71,8 +65,7 @@ const Command convert_command = {
     .synopsis = "IN OUT [--guess-bonds] [--symmetry TOLERANCE] [options]",
     .meaning =
         "Writes atoms in another format: LAMMPS data, POSCAR, CIF, mmCIF, PDB, GRO, MOL2, inputs "
-        "of "
-        "DFTB+, Quantum ESPRESSO and CP2K",
+        "of DFTB+, Quantum ESPRESSO and CP2K",
     .run = run};
 
 }  // namespace trivalent::apps

@@ -112,6 +112,17 @@ std::string ideal_structures_help() {
          list_of(shell::ideal_structures());
 }
 
+Result describe_written(const std::string& output, const dual::Structure& structure,
+                        const std::vector<std::string>& notes) {
+  return {.table = {{"wrote", output},
+                    {"atoms", std::to_string(structure.atoms.size())},
+                    {"bonds", std::to_string(structure.bonds.size())}},
+          .json = {{"file", output},
+                   {"atoms", structure.atoms.size()},
+                   {"bonds", structure.bonds.size()},
+                   {"notes", notes}}};
+}
+
 remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal) {
   remesh::MeshFile file = remesh::read_mesh(path);
   terminal.notes(file.notes);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "terminal.h"
+#include "trivalent/dual/structure.h"
 #include "trivalent/remesh/mesh.h"
 
 namespace trivalent::apps {
@@ -54,6 +55,10 @@ class OutputFolder {
 
 /// The ideal structures and their parameters, for help texts.
 [[nodiscard]] std::string ideal_structures_help();
+
+/// What a command says that has written atoms.
+[[nodiscard]] Result describe_written(const std::string& output, const dual::Structure& structure,
+                                      const std::vector<std::string>& notes);
 
 /// Reads a mesh file, tells the terminal what was changed on the way in.
 [[nodiscard]] remesh::TriMesh read_mesh_file(const std::string& path, const Terminal& terminal);

@@ -25,16 +25,16 @@ Result describe(const remesh::TriMesh& mesh, const std::string& output) {
                    {"area", remesh::surface_area(mesh)}}};
 }
 
-void write_ideal(const std::string& name, const std::string& output, const Terminal& terminal) {
+void write_ideal(const Session& session) {
+  const auto& output = session.get<std::string>("OUT");
+  if (!session.values["edge"].defaulted()) {
+    throw UsageError("--edge belongs to meshes; ideal structures have bonds of their own length");
+  }
   check_structure_output(output);
-  const dual::Structure structure = shell::make_ideal_structure(name);
-  terminal.notes(dual::write_structure(output, structure));
-  terminal.print({.table = {{"wrote", output},
-                            {"atoms", std::to_string(structure.atoms.size())},
-                            {"bonds", std::to_string(structure.bonds.size())}},
-                  .json = {{"file", output},
-                           {"atoms", structure.atoms.size()},
-                           {"bonds", structure.bonds.size()}}});
+  const dual::Structure structure = shell::make_ideal_structure(session.get<std::string>("NAME"));
+  const std::vector<std::string> notes = dual::write_structure(output, structure);
+  session.terminal.notes(notes);
+  session.terminal.print(describe_written(output, structure, notes));
 }
 
 int run(const Command& self, std::span<const std::string> arguments) {
@@ -49,7 +49,7 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto& name = session->get<std::string>("NAME");
   const auto& output = session->get<std::string>("OUT");
   if (shell::is_ideal_structure(name)) {
-    write_ideal(name, output, session->terminal);
+    write_ideal(*session);
     return done;
   }
   check_output(output, mesh_extensions);

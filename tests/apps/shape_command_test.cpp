@@ -53,6 +53,7 @@ TEST_F(ShapeCommand, WritesIdealStructuresAsAtoms) {
   expect_failure(2, "extxyz", "shape fullerene:N=60 cage.off");
   expect_failure(2, "80 and 140", "shape fullerene:N=100 cage.xyz");
   expect_failure(2, "whole number", "shape nanotube:n=1.5 tube.xyz");
+  expect_failure(2, "--edge", "shape fullerene:N=60 cage.xyz --edge 0.1");
   expect_failure(2, "atoms already", "build fullerene:N=60 -o out");
 }
 
