@@ -8,19 +8,15 @@
 
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/graphene.h"
+#include "trivalent/dual/network_checks.h"
 #include "trivalent/shell/ideal_source.h"
 
 namespace trivalent::dual {
 namespace {
 
 std::map<int, int> atoms_by_bonds(const Structure& structure) {
-  std::vector<int> numbers(structure.atoms.size(), 0);
-  for (const potentials::Bond& bond : structure.bonds) {
-    ++numbers[bond.first];
-    ++numbers[bond.second];
-  }
   std::map<int, int> counts;
-  for (const int number : numbers) ++counts[number];
+  for (const int number : coordinations(structure)) ++counts[number];
   return counts;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "ideal_edges.h"
@@ -11,6 +12,7 @@
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/dual/ideal_structures.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::dual {
 namespace {
@@ -35,40 +37,20 @@ std::optional<FaceVector> face_vector_of(int triangulation_number) {
   return std::nullopt;
 }
 
-constexpr double phi = std::numbers::phi;
-const std::array<Eigen::Vector3d, 12> corners = {{{-1, phi, 0},
-                                                  {1, phi, 0},
-                                                  {-1, -phi, 0},
-                                                  {1, -phi, 0},
-                                                  {0, -1, phi},
-                                                  {0, 1, phi},
-                                                  {0, -1, -phi},
-                                                  {0, 1, -phi},
-                                                  {phi, 0, -1},
-                                                  {phi, 0, 1},
-                                                  {-phi, 0, -1},
-                                                  {-phi, 0, 1}}};
-
 using Face = std::array<int, 3>;  // counter-clockwise, seen from outside
 
-std::vector<Face> icosahedron_faces() {
-  constexpr double squared_edge = 4.0;
-  const auto touch = [&](int a, int b) {
-    const double squared =
-        (corners[static_cast<std::size_t>(a)] - corners[static_cast<std::size_t>(b)]).squaredNorm();
-    return std::abs(squared - squared_edge) < 1e-9;
-  };
+/// The coarsest triangulation of the unit sphere.
+remesh::TriMesh icosahedron() {
+  constexpr double edge_length = 1.2;  // as long as its own
+  return remesh::make_shape("sphere", {}, edge_length);
+}
+
+std::vector<Face> faces_of(const remesh::TriMesh& mesh) {
   std::vector<Face> faces;
-  for (int a = 0; a < 12; ++a) {
-    for (int b = a + 1; b < 12; ++b) {
-      for (int c = b + 1; c < 12; ++c) {
-        if (!touch(a, b) || !touch(b, c) || !touch(c, a)) continue;
-        Eigen::Matrix3d sides;
-        sides << corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)],
-            corners[static_cast<std::size_t>(c)];
-        faces.push_back(sides.determinant() > 0.0 ? Face{a, b, c} : Face{a, c, b});
-      }
-    }
+  for (const auto f : mesh.faces()) {
+    Face face = {};
+    std::ranges::transform(f.vertices(), face.begin(), [](auto v) { return v.idx(); });
+    faces.push_back(face);
   }
   return faces;
 }
@@ -84,7 +66,10 @@ struct FacePoint {
 class Triangulation {
  public:
   explicit Triangulation(const FaceVector& vector)
-      : vector_(vector), t_(vector.triangulation_number()), faces_(icosahedron_faces()) {
+      : vector_(vector),
+        t_(vector.triangulation_number()),
+        icosahedron_(icosahedron()),
+        faces_(faces_of(icosahedron_)) {
     for (const Face& face : faces_) divide(face);
   }
 
@@ -129,7 +114,7 @@ class Triangulation {
     // The face beyond the edge has the same triangle.
     std::array<int, 3> key = vertices;
     std::ranges::sort(key);
-    if (!known_.try_emplace(key, true).second) return;
+    if (!known_.insert(key).second) return;
     triangles_.push_back(vertices);
   }
 
@@ -141,7 +126,7 @@ class Triangulation {
     for (std::size_t c = 0; c < 3; ++c) {
       if (p.parts[c] == 0) continue;
       key.emplace_back(p.face[c], p.parts[c]);
-      position += p.parts[c] * corners[static_cast<std::size_t>(p.face[c])];
+      position += p.parts[c] * icosahedron_.point(remesh::VertexHandle(p.face[c]));
     }
     std::ranges::sort(key);
     const auto [found, is_new] = vertices_.try_emplace(key, static_cast<int>(points_.size()));
@@ -182,9 +167,10 @@ class Triangulation {
 
   FaceVector vector_;
   int t_;
+  remesh::TriMesh icosahedron_;
   std::vector<Face> faces_;
   std::map<std::vector<std::pair<int, int>>, int> vertices_;
-  std::map<std::array<int, 3>, bool> known_;
+  std::set<std::array<int, 3>> known_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::array<int, 3>> triangles_;
 };

@@ -4,25 +4,17 @@
 
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/hydrogen.h"
+#include "trivalent/dual/network_checks.h"
 
 namespace trivalent::dual {
 namespace {
-
-std::vector<int> numbers_of_bonds(const Structure& structure) {
-  std::vector<int> numbers(structure.atoms.size(), 0);
-  for (const potentials::Bond& bond : structure.bonds) {
-    ++numbers[bond.first];
-    ++numbers[bond.second];
-  }
-  return numbers;
-}
 
 /// Takes away the atoms that have fewer than two bonds.
 ///
 /// @return  Whether there were any.
 bool trim(Structure& structure) {
   constexpr int min_bonds = 2;
-  const std::vector<int> n_bonds = numbers_of_bonds(structure);
+  const std::vector<int> n_bonds = coordinations(structure);
   std::vector<std::uint32_t> new_index(n_bonds.size(), 0);
   std::vector<Eigen::Vector3d> kept;
   for (std::size_t i = 0; i < n_bonds.size(); ++i) {
