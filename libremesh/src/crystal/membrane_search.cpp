@@ -270,6 +270,7 @@ class MembraneSearch {
     options.last_temperature = is_last ? 0.0 : schedule.cold;
     options.rounds = rounds_of(schedule);
     options.wanted_vertices = wanted;
+    // Levels have random numbers of their own.
     options.seed = 3 * seed + static_cast<std::uint64_t>(level.coarseness);
     options.after_round = [&](int) {
       return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);

@@ -154,7 +154,7 @@ int apply_stellar_operations(ConstrainedMesh& constrained, const StellarLimits& 
   return StellarRound(constrained, limits).run();
 }
 
-int split_edges_longer_than(ConstrainedMesh& constrained, double length) {
+void split_edges_longer_than(ConstrainedMesh& constrained, double length) {
   std::vector<std::pair<double, EdgeHandle>> list;
   for (const auto e : constrained.mesh.edges()) {
     const double longer = edge_length(constrained.mesh, e);
@@ -162,7 +162,6 @@ int split_edges_longer_than(ConstrainedMesh& constrained, double length) {
   }
   std::ranges::stable_sort(list, std::greater(), [](const auto& entry) { return entry.first; });
   for (const auto& [longer, e] : list) constrained.split(e);
-  return static_cast<int>(list.size());
 }
 
 }  // namespace trivalent::remesh

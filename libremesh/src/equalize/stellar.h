@@ -26,8 +26,6 @@ int apply_stellar_operations(ConstrainedMesh& constrained, const StellarLimits& 
 /// Halves every edge longer than a length, the longest first, without locks. For edges far longer
 /// than the target: where many of them meet in one vertex, locks let through one split a round,
 /// while every split on the other side of their faces adds another such edge.
-///
-/// @return Number of edges split.
-int split_edges_longer_than(ConstrainedMesh& constrained, double length);
+void split_edges_longer_than(ConstrainedMesh& constrained, double length);
 
 }  // namespace trivalent::remesh
