@@ -96,8 +96,9 @@ Surface repair_surface(const remesh::TriangleSoup& soup, const dual::ShellOption
 Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
                      remesh::RepairOptions repair) {
   if (is_ideal_structure(source)) {
-    throw remesh::InvalidOption(source + " is no surface but atoms already: relax, energy, view, "
-                                         "lammps and the others take it in place of a file");
+    throw remesh::InvalidOption(source +
+                                " is no surface but atoms already: relax, energy, view, "
+                                "lammps and the others take it in place of a file");
   }
   if (is_built_in(source)) return {.mesh = make_fine_shape(parse_shape(source), shell)};
   return repair_surface(read_soup(source), shell, std::move(repair));

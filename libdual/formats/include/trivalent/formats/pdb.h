@@ -21,7 +21,8 @@ namespace trivalent::dual {
                                      const ReadOptions& options = {});
 
 /// Writes HETATM records of a residue UNL, CRYST1 for periodic atoms, and CONECT for the bonds that
-/// are known, up to 99,999 atoms. Positions have 3 decimals [Å]. Serial numbers above 99,999 are hybrid-36 (A0000,
+/// are known, up to 99,999 atoms. Positions have 3 decimals [Å]. Serial numbers above 99,999 are
+/// hybrid-36 (A0000,
 /// ...), as cctbx, gemmi and VMD read them.
 ///
 /// @return  Notes on what changed: the cell, periodic directions, bonds to images, decimals.
