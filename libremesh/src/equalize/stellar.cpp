@@ -136,7 +136,8 @@ class StellarRound {
     for (const VertexHandle end :
          {mesh_.from_vertex_handle(plan.halfedge), mesh_.to_vertex_handle(plan.halfedge)}) {
       for (const auto neighbor : mesh_.vv_range(end)) {
-        if ((mesh_.point(neighbor) - plan.position).norm() > limits_.overlong) return true;
+        const Eigen::Vector3d edge = mesh_.lattice.nearest(mesh_.point(neighbor) - plan.position);
+        if (edge.norm() > limits_.overlong) return true;
       }
     }
     return false;

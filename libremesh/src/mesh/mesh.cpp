@@ -124,7 +124,8 @@ double surface_area(const TriMesh& mesh) {
 std::vector<Eigen::Vector3d> face_centroids(const TriMesh& mesh) {
   std::vector<Eigen::Vector3d> centroids;
   centroids.reserve(mesh.n_faces());
-  for (const auto f : mesh.faces()) centroids.push_back(face_centroid(mesh, f));
+  for (const auto f : mesh.faces())
+    centroids.push_back(mesh.lattice.wrapped(face_centroid(mesh, f)));
   return centroids;
 }
 
@@ -142,6 +143,7 @@ BoundingBox bounding_box(const TriMesh& mesh) {
 
 void scale(TriMesh& mesh, double factor) {
   for (const auto v : mesh.vertices()) mesh.point(v) *= factor;
+  if (mesh.lattice.is_periodic()) mesh.lattice = mesh.lattice.scaled(factor);
 }
 
 }  // namespace trivalent::remesh

@@ -134,6 +134,9 @@ struct SurfaceProjector::Impl {
   std::vector<Eigen::Vector3d> vertex_normals;
   IndexLists fans;  // triangles at every vertex
   Tree tree;
+  Lattice lattice;
+  std::vector<Eigen::Vector3d>
+      translations;  // to the images that may be nearer than the cell's own
 
   void gather_fans(std::size_t n_vertices) {
     std::vector<std::array<int, 3>> with_area;
@@ -142,9 +145,13 @@ struct SurfaceProjector::Impl {
     fans = triangles_at_vertices(with_area, n_vertices);
   }
 
+  /// On the image of a triangle that is beside p.
   [[nodiscard]] Foot foot(int triangle, const Eigen::Vector3d& p) const {
     const Kernel::Triangle_3& t = triangles[at(triangle)];
-    return foot_on({to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2])}, p);
+    const Eigen::Vector3d here = lattice.near(to_eigen(t[0]), p);
+    Foot foot = foot_on({to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2])}, here);
+    if (lattice.is_periodic()) foot.position += p - here;
+    return foot;
   }
 
   /// The triangle nearest to p of those that share the corners of a foot.
@@ -175,20 +182,45 @@ struct SurfaceProjector::Impl {
     return to_eigen(triangles[at(t)][static_cast<int>(k)]);
   }
 
-  [[nodiscard]] SurfacePoint answer(const Tree::Point_and_primitive_id& hit) const {
-    const auto triangle = static_cast<std::size_t>(hit.second - triangles.begin());
-    return {to_eigen(hit.first), face_of[triangle]};
+  using Hit = Tree::Point_and_primitive_id;
+
+  /// The point of the surface nearest to p.
+  ///
+  /// @param find  Returns the nearest point of the triangles in the cell.
+  template <typename Find>
+  [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& p, const Find& find) const {
+    const Eigen::Vector3d home = lattice.wrapped(p);
+    Hit best = find(home);
+    Eigen::Vector3d step = to_eigen(best.first) - home;
+    const CGAL::Bbox_3 box = tree.bbox();
+    const Eigen::AlignedBox3d around(Eigen::Vector3d(box.xmin(), box.ymin(), box.zmin()),
+                                     Eigen::Vector3d(box.xmax(), box.ymax(), box.zmax()));
+    for (const Eigen::Vector3d& translation : translations) {
+      const Eigen::Vector3d image = home + translation;
+      if (around.squaredExteriorDistance(image) >= step.squaredNorm()) continue;
+      const Hit hit = find(image);
+      const Eigen::Vector3d other = to_eigen(hit.first) - image;
+      if (other.squaredNorm() >= step.squaredNorm()) continue;
+      best = hit;
+      step = other;
+    }
+    const auto triangle = static_cast<std::size_t>(best.second - triangles.begin());
+    return {lattice.is_periodic() ? Eigen::Vector3d(p + step) : to_eigen(best.first),
+            face_of[triangle]};
   }
 };
 
 SurfaceProjector::SurfaceProjector(const TriMesh& surface) : impl_(std::make_unique<Impl>()) {
   impl_->corners = triangles_of(surface);
   impl_->triangle_of.assign(surface.n_faces(), 0);
+  impl_->lattice = surface.lattice;
+  if (surface.lattice.is_periodic()) {
+    impl_->translations = surface.lattice.translations_within(surface.lattice.covering_radius());
+  }
   for (std::size_t f = 0; f < impl_->corners.size(); ++f) {
-    const auto [a, b, c] = impl_->corners[f];
-    const Kernel::Triangle_3 triangle(to_cgal(surface.point(VertexHandle(a))),
-                                      to_cgal(surface.point(VertexHandle(b))),
-                                      to_cgal(surface.point(VertexHandle(c))));
+    const auto [a, b, c] = corners_of(surface, FaceHandle(static_cast<int>(f)));
+    const Eigen::Vector3d home = surface.lattice.wrapped(a) - a;
+    const Kernel::Triangle_3 triangle(to_cgal(a + home), to_cgal(b + home), to_cgal(c + home));
     impl_->triangle_of[f] = static_cast<int>(impl_->triangles.size());
     if (triangle.is_degenerate()) continue;  // nearest points need an area; the neighbors cover it
     impl_->triangles.push_back(triangle);
@@ -210,20 +242,24 @@ SurfaceProjector::SurfaceProjector(SurfaceProjector&&) noexcept = default;
 SurfaceProjector& SurfaceProjector::operator=(SurfaceProjector&&) noexcept = default;
 
 SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p) const {
-  return impl_->answer(impl_->tree.closest_point_and_primitive(to_cgal(p)));
+  return impl_->nearest(p, [&](const Eigen::Vector3d& image) {
+    return impl_->tree.closest_point_and_primitive(to_cgal(image));
+  });
 }
 
 double SurfaceProjector::distance(const Eigen::Vector3d& p) const {
+  if (impl_->lattice.is_periodic()) return (nearest(p).position - p).norm();
   return std::sqrt(impl_->tree.squared_distance(to_cgal(p)));
 }
 
 SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const {
   const auto triangle =
       impl_->triangles.cbegin() + impl_->triangle_of[static_cast<std::size_t>(face)];
-  const Kernel::Point_3 on_triangle =
-      Kernel().construct_projected_point_3_object()(*triangle, to_cgal(p));
-  return impl_->answer(
-      impl_->tree.closest_point_and_primitive(to_cgal(p), {on_triangle, triangle}));
+  return impl_->nearest(p, [&](const Eigen::Vector3d& image) {
+    const Kernel::Point_3 on_triangle =
+        Kernel().construct_projected_point_3_object()(*triangle, to_cgal(image));
+    return impl_->tree.closest_point_and_primitive(to_cgal(image), {on_triangle, triangle});
+  });
 }
 
 const Eigen::Vector3d& SurfaceProjector::normal(VertexHandle v) const {
@@ -235,20 +271,29 @@ double SurfaceProjector::thickness(VertexHandle v) const {
   const std::span<const int> around = impl_->fans[index(v)];
   const Eigen::Vector3d& normal = impl_->vertex_normals[index(v)];
   if (around.empty() || !normal.allFinite()) return infinity;
-  const Eigen::Vector3d p = impl_->vertex_position(v);
+  const Eigen::Vector3d home = impl_->vertex_position(v);
   // Not quite straight: on symmetric shapes rays would run along edges, and slip through.
   const Eigen::Vector3d inwards = -normal + 1e-5 * Eigen::Vector3d(0.61, -0.35, 0.71);
-  const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
-  const auto hit = impl_->tree.first_intersection(ray, [&](Primitive::Id t) {
+  const auto is_beside = [&](Primitive::Id t) {
     return std::ranges::count(around, static_cast<int>(t - impl_->triangles.cbegin())) > 0;
-  });
-  if (!hit) return infinity;
-  const Kernel::Triangle_3& there = *hit->second;
-  const Eigen::Vector3d a = to_eigen(there[0]);
-  const Eigen::Vector3d looks = doubled_area_vector(a, to_eigen(there[1]), to_eigen(there[2]));
-  const auto* point = boost::get<Kernel::Point_3>(&hit->first);
-  if (point == nullptr || looks.dot(normal) >= 0.0) return infinity;
-  return (to_eigen(*point) - p).norm();
+  };
+  /// From an image of the vertex to the other side in the cell, if that is nearer than before.
+  const auto across = [&](const Eigen::Vector3d& p, double before) {
+    const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
+    const auto hit = impl_->tree.first_intersection(ray, is_beside);
+    if (!hit) return before;
+    const Kernel::Triangle_3& there = *hit->second;
+    const Eigen::Vector3d a = to_eigen(there[0]);
+    const Eigen::Vector3d looks = doubled_area_vector(a, to_eigen(there[1]), to_eigen(there[2]));
+    const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+    if (point == nullptr || looks.dot(normal) >= 0.0) return before;
+    return std::min(before, (to_eigen(*point) - p).norm());
+  };
+  double thickness = across(home, infinity);
+  for (const Eigen::Vector3d& translation : impl_->translations) {
+    thickness = across(home + translation, thickness);
+  }
+  return thickness;
 }
 
 SurfacePoint SurfaceProjector::walk_towards(const Eigen::Vector3d& p, int face) const {
@@ -272,7 +317,7 @@ Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
   const Eigen::Vector3d b = to_eigen(t[1]);
   const Eigen::Vector3d c = to_eigen(t[2]);
   const Eigen::Vector3d face_normal = doubled_area_vector(a, b, c);
-  const Eigen::Vector3d share = barycentric({a, b, c}, p.position);
+  const Eigen::Vector3d share = barycentric({a, b, c}, impl_->lattice.near(a, p.position));
   const auto vertex_normal = [&](std::size_t k) {
     return impl_->vertex_normals[static_cast<std::size_t>(impl_->corners[face][k])];
   };

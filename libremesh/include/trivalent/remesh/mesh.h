@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "trivalent/remesh/lattice.h"
+
 namespace trivalent::remesh {
 
 /// OpenMesh with double-precision Eigen vectors and deletion flags.
@@ -25,7 +27,12 @@ struct MeshTraits : OpenMesh::DefaultTraits {
 
 /// Half-edge triangle mesh. Every TriMesh passed to or from this library is garbage collected: no
 /// element is marked as deleted.
-using TriMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+///
+/// A periodic surface has a lattice: vertices stand for all of their images, edges lead to the
+/// nearest one, and positions may lie in any cell.
+struct TriMesh : OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
+  Lattice lattice;
+};
 using VertexHandle = OpenMesh::VertexHandle;
 using EdgeHandle = OpenMesh::EdgeHandle;
 using HalfedgeHandle = OpenMesh::HalfedgeHandle;
@@ -58,7 +65,7 @@ inline constexpr double max_faces = 2e7;
 /// Sum of the face areas, in the mesh's unit squared.
 [[nodiscard]] double surface_area(const TriMesh& mesh);
 
-/// Centroid of every face, in face order.
+/// Centroid of every face, in face order; of a periodic surface within the cell.
 [[nodiscard]] std::vector<Eigen::Vector3d> face_centroids(const TriMesh& mesh);
 
 /// Lower and upper corner of the axis-aligned bounding box; the mesh must have a vertex.
@@ -70,7 +77,7 @@ struct BoundingBox {
 };
 [[nodiscard]] BoundingBox bounding_box(const TriMesh& mesh);
 
-/// Multiplies every position by factor.
+/// Multiplies every position, and the lattice, by factor.
 void scale(TriMesh& mesh, double factor);
 
 }  // namespace trivalent::remesh
