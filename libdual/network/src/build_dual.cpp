@@ -4,29 +4,48 @@
 #include <cmath>
 
 #include "trivalent/dual/error.h"
+#include "trivalent/dual/padded_box.h"
 
 namespace trivalent::dual {
 namespace {
 
-std::vector<potentials::Bond> bonds_across_edges(const remesh::TriMesh& mesh) {
+/// The image of an atom that is nearest to another one.
+remesh::Lattice::Image image_beside(const remesh::Lattice& lattice,
+                                    const std::vector<Eigen::Vector3d>& positions, std::size_t atom,
+                                    std::size_t other) {
+  const Eigen::Vector3d separation = positions[other] - positions[atom];
+  return lattice.image_of(lattice.nearest(separation) - separation);
+}
+
+std::vector<potentials::Bond> bonds_across_edges(const remesh::TriMesh& mesh,
+                                                 const std::vector<Eigen::Vector3d>& positions) {
   std::vector<potentials::Bond> bonds;
   bonds.reserve(mesh.n_edges());
   for (const auto edge : mesh.edges()) {
     if (edge.is_boundary()) continue;
     const auto left = static_cast<std::uint32_t>(edge.h0().face().idx());
     const auto right = static_cast<std::uint32_t>(edge.h1().face().idx());
-    bonds.push_back({std::min(left, right), std::max(left, right)});
+    potentials::Bond bond{std::min(left, right), std::max(left, right)};
+    bond.image = image_beside(mesh.lattice, positions, bond.first, bond.second);
+    bonds.push_back(bond);
   }
   return bonds;
 }
 
-std::vector<Ring> rings_around_vertices(const remesh::TriMesh& mesh) {
+std::vector<Ring> rings_around_vertices(const remesh::TriMesh& mesh,
+                                        const std::vector<Eigen::Vector3d>& positions) {
   std::vector<Ring> rings;
   rings.reserve(mesh.n_vertices());
   for (const auto vertex : mesh.vertices()) {
     if (vertex.is_boundary()) continue;
     Ring ring;
     for (const auto face : mesh.vf_ccw_range(vertex)) ring.atoms.push_back(face.idx());
+    for (std::size_t k = 0; k < ring.atoms.size() && mesh.lattice.is_periodic(); ++k) {
+      const auto atom = static_cast<std::size_t>(ring.atoms[k]);
+      const auto next = static_cast<std::size_t>(ring.atoms[(k + 1) % ring.atoms.size()]);
+      const auto image = image_beside(mesh.lattice, positions, atom, next);
+      if (image != remesh::Lattice::Image{0, 0, 0}) ring.crosses_boundary = true;
+    }
     if (ring.atoms.size() < 3) {
       throw InvalidNetwork(concat("build_dual: vertex ", vertex.idx(), " has valence ",
                                   ring.atoms.size(), "; rings need 3 or more atoms; remesh first"));
@@ -47,8 +66,13 @@ Structure build_dual(const remesh::TriMesh& mesh) {
   Structure structure;
   structure.atoms.positions = remesh::face_centroids(mesh);
   structure.atoms.species.assign(mesh.n_faces(), potentials::Species::carbon);
-  structure.bonds = bonds_across_edges(mesh);
-  structure.rings = rings_around_vertices(mesh);
+  structure.bonds = bonds_across_edges(mesh, structure.atoms.positions);
+  structure.rings = rings_around_vertices(mesh, structure.atoms.positions);
+  if (mesh.lattice.is_periodic()) {
+    structure.atoms.box =
+        periodic_box({.cell = mesh.lattice.cell(), .periodic = mesh.lattice.periodic()},
+                     structure.atoms.positions);
+  }
   return structure;
 }
 

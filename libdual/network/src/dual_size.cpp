@@ -1,5 +1,6 @@
 #include "trivalent/dual/dual_size.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -15,6 +16,17 @@ void check_positive(std::string_view name, double value) {
   throw InvalidOption(concat("scale_for_size: ", name, " must be > 0 and finite, but is ", value));
 }
 
+/// Of the cell, or else of the bounding box.
+double longest_side(const TriMesh& mesh) {
+  if (!mesh.lattice.is_periodic()) return remesh::bounding_box(mesh).longest_side();
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!mesh.lattice.periodic()[k]) continue;
+    longest = std::max(longest, mesh.lattice.cell().col(static_cast<Eigen::Index>(k)).norm());
+  }
+  return longest;
+}
+
 struct ScaleForSize {
   const TriMesh& mesh;
 
@@ -27,7 +39,7 @@ struct ScaleForSize {
   }
   double operator()(const LongestSide& side) const {
     check_positive("the longest side", side.length);
-    const double longest = remesh::bounding_box(mesh).longest_side();
+    const double longest = longest_side(mesh);
     if (longest > 0.0 && std::isfinite(longest)) return side.length / longest;
     throw InvalidNetwork("scale_for_size: the mesh has no finite extent");
   }

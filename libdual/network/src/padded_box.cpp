@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace trivalent::dual {
@@ -14,6 +15,33 @@ potentials::Box padded_box(std::span<const Eigen::Vector3d> positions, double pa
   potentials::Box box;
   box.origin = bounds.min() - margin;
   box.cell.diagonal() = bounds.sizes() + 2.0 * margin;
+  return box;
+}
+
+potentials::Box periodic_box(potentials::Box box, std::span<const Eigen::Vector3d> positions,
+                             double padding) {
+  for (int k = 0; k < 3; ++k) {
+    if (!box.periodic[static_cast<std::size_t>(k)]) box.cell.col(k).setZero();
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (!box.cell.col(k).isZero(0.0)) continue;
+    const Eigen::Vector3d next = box.cell.col((k + 1) % 3);
+    const Eigen::Vector3d last = box.cell.col((k + 2) % 3);
+    // Right-handed, also while one of the others is still to come.
+    const Eigen::Vector3d across = next.isZero(0.0)   ? last.unitOrthogonal()
+                                   : last.isZero(0.0) ? next.unitOrthogonal()
+                                                      : next.cross(last);
+    const Eigen::Vector3d direction = across.normalized();
+    double low = 0.0;
+    double high = 0.0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const double at = positions[i].dot(direction);
+      low = i == 0 ? at : std::min(low, at);
+      high = i == 0 ? at : std::max(high, at);
+    }
+    box.cell.col(k) = (high - low + 2.0 * padding) * direction;
+    box.origin += (low - padding - box.origin.dot(direction)) * direction;
+  }
   return box;
 }
 

@@ -1,5 +1,6 @@
 #include "trivalent/shell/build.h"
 
+#include <Eigen/LU>
 #include <chrono>
 #include <span>
 
@@ -37,6 +38,18 @@ remesh::TriMesh carried_along(remesh::TriMesh net, std::span<const Eigen::Vector
   return net;
 }
 
+std::vector<Eigen::Vector3d> deformed(std::vector<Eigen::Vector3d> points,
+                                      const Eigen::Matrix3d& deformation) {
+  for (Eigen::Vector3d& p : points) p = deformation * p;
+  return points;
+}
+
+remesh::TriMesh deformed(remesh::TriMesh mesh, const Eigen::Matrix3d& deformation) {
+  for (const auto v : mesh.vertices()) mesh.point(v) = deformation * mesh.point(v);
+  mesh.lattice = remesh::Lattice(deformation * mesh.lattice.cell(), mesh.lattice.periodic());
+  return mesh;
+}
+
 /// One build on its way.
 class Build {
  public:
@@ -56,12 +69,14 @@ class Build {
   void end(BuildStep step);
   void cap_edges();
   [[nodiscard]] double excess_energy() const;
+  [[nodiscard]] std::vector<Eigen::Vector3d> positions_on_original() const;
   void evaluate_input();
   void evaluate_shell();
   [[nodiscard]] dual::ShellState state_of_shell(std::string name) const;
 
   const BuildOptions& options_;
   Surface surface_;
+  Eigen::Matrix3d deformation_ = Eigen::Matrix3d::Identity();  // of the cell, by its relaxation
   Clock::time_point last_ = Clock::now();
 };
 
@@ -122,13 +137,20 @@ void Build::measure() {
   end(BuildStep::measure);
 }
 
+/// The atoms' positions in the cell of the surface as it came.
+std::vector<Eigen::Vector3d> Build::positions_on_original() const {
+  const potentials::Atoms& atoms = result.shell.structure.atoms;
+  return atoms.box.is_periodic() ? deformed(atoms.positions, deformation_.inverse())
+                                 : atoms.positions;
+}
+
 dual::ShellState Build::state_of_shell(std::string name) const {
   const dual::Structure& structure = result.shell.structure;
   dual::ShellState state = dual::shell_state(std::move(name), structure);
   dual::add_energies(state, result.energy.energies, dual::graphene_energy);
   state.maps.push_back(
       dual::distance_map("surface_distance", "distance to the input surface",
-                         remesh::distances_to_surface(structure.atoms.positions, result.original)));
+                         remesh::distances_to_surface(positions_on_original(), result.original)));
   return state;
 }
 
@@ -191,7 +213,6 @@ void Build::evaluate() {
 void Build::relax() {
   begin(BuildStep::relax);
   dual::Structure& structure = result.shell.structure;
-  const std::vector<Eigen::Vector3d> before = structure.atoms.positions;
   potentials::Rebo rebo;
   const auto on_progress = [&](const potentials::RelaxProgress& state) {
     const bool goes_on = !options_.on_relax || options_.on_relax(state);
@@ -200,22 +221,35 @@ void Build::relax() {
   };
   result.relaxed = potentials::relax(structure.atoms, rebo,
                                      {.max_steps = options_.max_relaxation_steps,
+                                      .box = options_.box,
                                       .bonds = structure.bonds,
                                       .on_progress = on_progress});
+  const potentials::Box& box = result.relaxed->atoms.box;
+  if (box.is_periodic()) deformation_ = box.cell * structure.atoms.box.cell.inverse();
+  // What the cell does is no displacement.
+  const std::vector<Eigen::Vector3d> before =
+      box.is_periodic() ? deformed(structure.atoms.positions, deformation_)
+                        : structure.atoms.positions;
   result.unrelaxed = std::move(result.after);
   result.unrelaxed->name = "dual, not relaxed";
   result.relaxation = report_relaxation(before, structure.bonds, *result.relaxed);
   for (std::string& note : relax_notes(result.relaxation, *result.relaxed)) {
     result.notes.push_back(std::move(note));
   }
-  structure.atoms.positions = result.relaxed->atoms.positions;
+  structure.atoms = result.relaxed->atoms;
   result.network = dual::check_network(dual::without_hydrogen(structure));
   result.energy = result.relaxed->result;
   result.after = state_of_shell("relaxed shell");
   result.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
-  const remesh::TriMesh net =
-      carried_along(result.shell.surface.mesh, before, structure.atoms.positions);
-  if (!result.stopped) result.distance_at_rest = remesh::measure_distance(net, result.original);
+  const remesh::TriMesh start = box.is_periodic()
+                                    ? deformed(result.shell.surface.mesh, deformation_)
+                                    : result.shell.surface.mesh;
+  const remesh::TriMesh net = carried_along(start, before, structure.atoms.positions);
+  if (!result.stopped) {
+    const remesh::TriMesh surface =
+        box.is_periodic() ? deformed(result.original, deformation_) : result.original;
+    result.distance_at_rest = remesh::measure_distance(net, surface);
+  }
   result.budget = energy_budget(net, excess_energy());
   end(BuildStep::relax);
 }

@@ -56,7 +56,22 @@ double seconds_of(double atoms, double input_faces, const remesh::MeshComponents
 
 constexpr double max_atoms = remesh::max_faces;  // an atom per face
 
-void find_obstacles(const remesh::MeshComponents& components, Plan& plan) {
+/// The smallest supercell of equal multiples that edges fit into.
+void find_lattice_obstacles(const remesh::TriMesh& mesh, Plan& plan) {
+  const double longest = remesh::longest_edge_in(mesh.lattice);
+  if (plan.shell.edge_length <= longest) return;
+  const int multiple = static_cast<int>(std::ceil(plan.shell.edge_length / longest));
+  const auto times = [&](std::size_t k) {
+    return std::to_string(mesh.lattice.periodic()[k] ? multiple : 1);
+  };
+  plan.obstacles.push_back(
+      "the cell is too small for a net of this edge length, which needs four "
+      "edges across; build a supercell: --supercell " +
+      times(0) + ' ' + times(1) + ' ' + times(2) + " would do");
+}
+
+void find_obstacles(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
+                    Plan& plan) {
   if (plan.shell.atoms > max_atoms) {
     plan.obstacles.push_back("about " + significant(plan.shell.atoms) +
                              " atoms would be needed, more than " + significant(max_atoms) +
@@ -67,6 +82,7 @@ void find_obstacles(const remesh::MeshComponents& components, Plan& plan) {
                              " of memory would be needed, but only " +
                              bytes_text(*plan.free_memory) + " are free; ask for fewer atoms");
   }
+  if (mesh.lattice.is_periodic()) return find_lattice_obstacles(mesh, plan);
   int too_small = 0;
   const remesh::MeshComponent* narrow = nullptr;
   double longest_of_narrow = plan.shell.edge_length;
@@ -116,7 +132,7 @@ Plan plan(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
   plan.seconds =
       seconds_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), components, options.method);
   plan.components = static_cast<int>(components.parts.size());
-  find_obstacles(components, plan);
+  find_obstacles(mesh, components, plan);
   return plan;
 }
 

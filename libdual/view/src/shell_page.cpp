@@ -1,4 +1,5 @@
 #include "trivalent/view/shell_page.h"
+#include "trivalent/remesh/polygon_soup.h"
 
 #include <algorithm>
 #include <array>
@@ -197,14 +198,13 @@ Json json_state(const ShellState& state, const ShellPage& page) {
 }
 
 Json json_surface(const remesh::TriMesh& mesh) {
-  std::vector<Eigen::Vector3d> points;
-  for (const auto vertex : mesh.vertices()) points.push_back(mesh.point(vertex));
+  const remesh::TriangleSoup soup = remesh::soup_of(mesh);
   std::vector<std::int32_t> corners;
-  for (const auto& triangle : remesh::triangles_of(mesh)) {
+  for (const auto& triangle : soup.triangles) {
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }
   return {{"step", position_step},
-          {"points", packed_points(points)},
+          {"points", packed_points(soup.points)},
           {"triangles", packed_integers(corners, 1)}};
 }
 

@@ -65,7 +65,8 @@ ConstrainedMesh::State carried_over(const ConstrainedMesh::State& net, const Tri
     if (anchor.kind != FeatureKind::none) continue;  // curves are the same
     const FaceHandle f(anchor.face);
     const std::array<Eigen::Vector3d, 3> there = corners_of(to, f);
-    const Eigen::Vector3d share = barycentric(corners_of(from, f), net.positions[i]);
+    const std::array<Eigen::Vector3d, 3> here = corners_of(from, f);
+    const Eigen::Vector3d share = barycentric(here, from.lattice.near(here[0], net.positions[i]));
     result.positions[i] =
         share.allFinite()
             ? Eigen::Vector3d(share[0] * there[0] + share[1] * there[1] + share[2] * there[2])

@@ -80,9 +80,8 @@ class MembraneAnnealing {
                                                            {.rings = MembranePatch::reach.inner,
                                                             .min_deviation = options_.min_deviation,
                                                             .seed = seed_});
-    const std::vector<int> live = net_.live_vertices();
-    const PointGrid grid(std::span(mesh_.points(), mesh_.n_vertices()), live,
-                         contact_skin * net_.membrane().contact_distance());
+    const double reach = contact_skin * net_.membrane().contact_distance();
+    const PointGrid grid(mesh_, reach, reach);
     std::vector<Decision> decisions(sites.size());
     tbb::parallel_for(std::size_t{0}, sites.size(),
                       [&](std::size_t i) { decisions[i] = decide(sites[i], grid); });
@@ -110,7 +109,8 @@ class MembraneAnnealing {
     Decision decision;
     if (!start.is_whole()) return decision;
     const int disorder = start.topology().disorder();
-    const double before = *start.relax({patch_steps, tolerance, never}, workspace.minimizer);
+    const auto before = start.relax({patch_steps, tolerance, never}, workspace.minimizer);
+    if (!before) return decision;
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
     MembranePatch patch = start;
     for (const DefectMove& move : shuffled_moves(start.topology().valence(0), random)) {
@@ -118,7 +118,7 @@ class MembraneAnnealing {
       patch = start;
       if (!make_move(patch, patch.topology(), move)) continue;
       if (patch.topology().disorder() > disorder + max_new_disorder) continue;
-      const double limit = before + largest_rise(temperature_, random, min_gain);
+      const double limit = *before + largest_rise(temperature_, random, min_gain);
       const int added = move.added_vertices();
       const auto energy =
           patch.relax({patch_steps, tolerance, limit - rise_of_count(added)}, workspace.minimizer);

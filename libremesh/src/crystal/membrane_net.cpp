@@ -44,6 +44,10 @@ Lanes<double> in_lanes(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 
 
 constexpr double samples_per_vertex = 2.0;
 
+/// [edges] within which a sample's vertex is looked for: a tip that has drawn back farther than the
+/// last is given up.
+constexpr std::array<double, 3> owner_radii = {1.0, 2.0, 5.0};
+
 }  // namespace
 
 MembraneNet::MembraneNet(ConstrainedMesh& constrained, const TriMesh& surface,
@@ -93,30 +97,24 @@ void MembraneNet::renew() {
   find_pulls();
 }
 
-std::vector<int> MembraneNet::live_vertices() const {
-  std::vector<int> live;
-  live.reserve(constrained_.mesh.n_vertices());
-  for (const auto v : constrained_.mesh.vertices()) live.push_back(v.idx());
-  return live;
-}
-
 std::optional<VertexHandle> MembraneNet::owner_of(const Sample& sample,
                                                   const PointGrid& grid) const {
-  // A tip that has drawn back farther than the last radius is given up.
-  for (const double radius : {1.0, 2.0, 5.0}) {
+  for (const double radius : owner_radii) {
     VertexHandle nearest;
     double least = std::numeric_limits<double>::infinity();
-    grid.visit(sample.position, radius * membrane_.length, [&](int i, double squared) {
+    const double reach = radius * membrane_.length;
+    grid.visit(sample.position, reach, [&](int i, const Eigen::Vector3d& separation) {
       const VertexHandle v(i);
       const VertexHold& held = holds_[index(v)];
+      const double squared = separation.squaredNorm();
       if (squared >= least) return;
       if (held.count == 1 && held.normals[0].dot(sample.normal) <= 0.0) return;  // another sheet
       least = squared;
       nearest = v;
     });
     if (nearest.is_valid()) {
-      const double reach = membrane_.cover_distance();
-      return least > reach * reach ? std::optional(nearest) : std::nullopt;
+      const double free = membrane_.cover_distance();
+      return least > free * free ? std::optional(nearest) : std::nullopt;
     }
   }
   return std::nullopt;
@@ -127,8 +125,7 @@ void MembraneNet::find_pulls() {
   pull_begin_.assign(mesh.n_vertices() + 1, 0);
   pulled_.clear();
   if (membrane_.cover == 0.0) return;
-  const std::vector<int> live = live_vertices();
-  const PointGrid grid(std::span(mesh.points(), mesh.n_vertices()), live, membrane_.length);
+  const PointGrid grid(mesh, membrane_.length, owner_radii.back() * membrane_.length);
   std::vector<std::optional<VertexHandle>> owners(samples_.size());
   tbb::parallel_for(std::size_t{0}, samples_.size(),
                     [&](std::size_t i) { owners[i] = owner_of(samples_[i], grid); });
@@ -151,70 +148,94 @@ std::span<const int> MembraneNet::pulls(VertexHandle v) const {
   return std::span(pulled_).subspan(begin, end - begin);
 }
 
-MembraneTerms<double> MembraneNet::terms() const {
+MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
   const TriMesh& mesh = constrained_.mesh;
+  const Lattice& lattice = mesh.lattice;
+  // The image of a vertex that is beside another one.
+  const auto beside = [&](VertexHandle a, VertexHandle b) {
+    if (!lattice.is_periodic()) return b.idx();
+    return images.number(b.idx(), lattice.image_of(position_beside(mesh, a, b) - mesh.point(b)));
+  };
   MembraneTerms<double> terms;
   const double per_area = membrane_.coarseness() * membrane_.coarseness();
   for (const auto e : mesh.edges()) {
     const auto h = e.h0();
-    const int a = h.from().idx();
-    const int b = h.to().idx();
+    const VertexHandle a = h.from();
+    const int b = beside(a, h.to());
     if (e.is_boundary() || constrained_.curve_of(e)) {
-      terms.edges.push_back({a, b});
+      terms.edges.push_back({a.idx(), b});
     } else {
-      terms.hinges.push_back({a, b, h.next().to().idx(), h.opp().next().to().idx()});
+      terms.hinges.push_back(
+          {a.idx(), b, beside(a, h.next().to()), beside(a, h.opp().next().to())});
     }
   }
   for (const auto v : mesh.vertices()) {
     const VertexHold& held = holds_[index(v)];
     const double stiffness = held.count > 1 ? membrane_.stretching : membrane_.tether * per_area;
     for (int k = 0; k < held.count && stiffness > 0.0; ++k) {
-      terms.tethers.push_back({v.idx(), stiffness, in_lanes(held.foot),
+      terms.tethers.push_back({v.idx(), stiffness, in_lanes(lattice.near(mesh.point(v), held.foot)),
                                in_lanes(held.normals[static_cast<std::size_t>(k)])});
     }
     for (const int i : pulls(v)) {
       const Sample& s = sample(i);
-      terms.pulls.push_back({v.idx(), membrane_.cover * per_area * s.weight, in_lanes(s.position)});
+      terms.pulls.push_back({v.idx(), membrane_.cover * per_area * s.weight,
+                             in_lanes(lattice.near(mesh.point(v), s.position))});
     }
   }
-  add_contacts(terms);
+  add_contacts(terms, images);
   return terms;
 }
 
-void MembraneNet::add_contacts(MembraneTerms<double>& terms) const {
+void MembraneNet::add_contacts(MembraneTerms<double>& terms, VertexImages& images) const {
   const TriMesh& mesh = constrained_.mesh;
-  const std::vector<int> live = live_vertices();
   const double reach = contact_skin * membrane_.contact_distance();
-  const PointGrid grid(std::span(mesh.points(), mesh.n_vertices()), live, reach);
-  std::vector<std::vector<int>> partners(mesh.n_vertices());
-  tbb::parallel_for(std::size_t{0}, live.size(), [&](std::size_t k) {
-    const VertexHandle v(live[k]);
-    grid.visit(mesh.point(v), reach, [&](int other, double) {
-      if (other <= v.idx() || mesh.find_halfedge(v, VertexHandle(other)).is_valid()) return;
-      partners[index(v)].push_back(other);
+  const PointGrid grid(mesh, reach, reach);
+  struct Partner {
+    int vertex;
+    Eigen::Vector3d separation;
+  };
+  std::vector<std::vector<Partner>> partners(mesh.n_vertices());
+  tbb::parallel_for(std::size_t{0}, partners.size(), [&](std::size_t i) {
+    const VertexHandle v(static_cast<int>(i));
+    if (mesh.status(v).deleted()) return;
+    grid.visit(mesh.point(v), reach, [&](int other, const Eigen::Vector3d& separation) {
+      const VertexHandle w(other);
+      if (other <= v.idx()) return;
+      // Another image of a neighbor may come too near.
+      if (mesh.lattice.is_nearest(separation) && mesh.find_halfedge(v, w).is_valid()) return;
+      partners[i].push_back({other, separation});
     });
   });
-  for (const int i : live) {
-    for (const int j : partners[static_cast<std::size_t>(i)]) terms.contacts.push_back({i, j});
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    const VertexHandle v(static_cast<int>(i));
+    for (const auto& [other, separation] : partners[i]) {
+      const Eigen::Vector3d translation =
+          mesh.point(v) + separation - mesh.point(VertexHandle(other));
+      terms.contacts.push_back({v.idx(), images.number(other, mesh.lattice.image_of(translation))});
+    }
   }
 }
 
 void MembraneNet::relax(int steps, const std::function<bool()>& should_stop) {
   TriMesh& mesh = constrained_.mesh;
-  const MembraneTerms<double> all = terms();
   const std::size_t n = mesh.n_vertices();
+  VertexImages images(n);
+  const MembraneTerms<double> all = terms(images);
   std::vector<Lanes<double>> positions(n);
-  std::vector<Lanes<double>> slopes(n);
   Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
   for (std::size_t i = 0; i < n; ++i) {
     positions[i] = in_lanes(mesh.point(VertexHandle(static_cast<int>(i))));
     x.segment<4>(4 * static_cast<Eigen::Index>(i)) = positions[i];
   }
-  const MembranePreconditioner<double> inverse(membrane_, all, positions, n);
+  images.place(mesh.lattice, positions);
+  std::vector<Lanes<double>> slopes(positions.size());
+  const MembranePreconditioner<double> inverse(membrane_, all, positions, n, images);
   const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
     std::copy_n(at.data(), at.size(), positions[0].data());
+    images.place(mesh.lattice, positions);
     std::ranges::fill(slopes, Lanes<double>::Zero());
     const double energy = membrane_energy(membrane_, all, positions, slopes);
+    images.collect(slopes);
     std::copy_n(slopes[0].data(), at.size(), gradient.data());
     return energy;
   };
@@ -230,10 +251,13 @@ void MembraneNet::relax(int steps, const std::function<bool()>& should_stop) {
 
 double MembraneNet::elastic_energy() {
   const TriMesh& mesh = constrained_.mesh;
+  VertexImages images(mesh.n_vertices());
+  const MembraneTerms<double> all = terms(images);
   std::vector<Lanes<double>> positions(mesh.n_vertices());
-  std::vector<Lanes<double>> slopes(mesh.n_vertices(), Lanes<double>::Zero());
   for (const auto v : mesh.vertices()) positions[index(v)] = in_lanes(mesh.point(v));
-  return membrane_energy(membrane_, terms(), positions, slopes);
+  images.place(mesh.lattice, positions);
+  std::vector<Lanes<double>> slopes(positions.size(), Lanes<double>::Zero());
+  return membrane_energy(membrane_, all, positions, slopes);
 }
 
 double MembraneNet::core_energy() const {

@@ -7,6 +7,7 @@
 #include "crystal/lbfgs.h"
 #include "crystal/membrane.h"
 #include "crystal/point_grid.h"
+#include "crystal/vertex_images.h"
 #include "equalize/constrained_mesh.h"
 
 namespace trivalent::remesh {
@@ -60,15 +61,12 @@ class MembraneNet {
   /// Energy of all cores [eV].
   [[nodiscard]] double core_energy() const;
 
-  /// Positions of all vertices, deleted ones included, and a grid of those that are not.
-  [[nodiscard]] std::vector<int> live_vertices() const;
-
  private:
   void find_pulls();
   [[nodiscard]] std::optional<VertexHandle> owner_of(const Sample& sample,
                                                      const PointGrid& grid) const;
-  [[nodiscard]] MembraneTerms<double> terms() const;
-  void add_contacts(MembraneTerms<double>& terms) const;
+  [[nodiscard]] MembraneTerms<double> terms(VertexImages& images) const;
+  void add_contacts(MembraneTerms<double>& terms, VertexImages& images) const;
 
   ConstrainedMesh& constrained_;
   Membrane membrane_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 #include "crystal/membrane_preconditioner.h"
 
@@ -10,14 +11,15 @@ namespace trivalent::remesh {
 MembranePatch::MembranePatch(const MembraneNet& net, VertexHandle center, const PointGrid& grid,
                              PatchMarks& marks)
     : membrane_(&net.membrane()),
+      lattice_(&net.constrained().mesh.lattice),
       topology_(net.constrained(), center, reach, marks),
       origin_(net.constrained().mesh.point(center)) {
   if (!is_whole()) return;
   const TriMesh& mesh = net.constrained().mesh;
+  const std::vector<Eigen::Vector3d> positions = unfolded_positions(mesh, topology_);
   x_.resize(at(topology_.size()), Vector::Zero());
   for (int i = 0; i < topology_.size(); ++i) {
-    const VertexHandle v = topology_.vertex(i);
-    if (v.is_valid()) x_[at(i)] = in_lanes(mesh.point(v) - origin_);
+    if (topology_.vertex(i).is_valid()) x_[at(i)] = in_lanes(positions[at(i)] - origin_);
   }
   find_holds(net);
   find_contacts(net, grid, marks);
@@ -29,7 +31,7 @@ void MembranePatch::find_holds(const MembraneNet& net) {
   for (int i = 0; i < topology_.added(); ++i) {
     const VertexHandle v = topology_.vertex(i);
     const VertexHold& hold = net.hold(v);
-    const Vector foot = in_lanes(hold.foot - origin_);
+    const Vector foot = seen_from(i, hold.foot);
     holds_[at(i)] = {foot, in_lanes(hold.normals[0])};
     for (int k = 0; k < hold.count && hold.count > 1; ++k) {
       feature_tethers_.push_back(
@@ -38,7 +40,7 @@ void MembranePatch::find_holds(const MembraneNet& net) {
     for (const int s : net.pulls(v)) {
       const MembraneNet::Sample& sample = net.sample(s);
       pulls_.push_back({i, static_cast<float>(membrane_->cover * per_area * sample.weight),
-                        in_lanes(sample.position - origin_)});
+                        seen_from(i, sample.position)});
     }
   }
 }
@@ -48,18 +50,34 @@ void MembranePatch::find_contacts(const MembraneNet& net, const PointGrid& grid,
   const TriMesh& mesh = net.constrained().mesh;
   const double radius = contact_skin * membrane_->contact_distance();
   for (int i = 0; i < topology_.added(); ++i) {
-    grid.visit(mesh.point(topology_.vertex(i)), radius, [&](int other, double) {
+    const VertexHandle v = topology_.vertex(i);
+    grid.visit(mesh.point(v), radius, [&](int other, const Eigen::Vector3d& away) {
       const VertexHandle w(other);
       int j = marks.number(w);
+      Lattice::Image image = {0, 0, 0};
       if (j < 0) {
         j = static_cast<int>(x_.size());
-        x_.push_back(in_lanes(mesh.point(w) - origin_));
+        x_.push_back(lattice_->is_periodic() ? Vector(x_[at(i)] + in_lanes(away))
+                                             : in_lanes(mesh.point(w) - origin_));
       } else if (j <= i && j < topology_.inner_count()) {
         return;
+      } else if (lattice_->is_periodic()) {
+        image = lattice_->image_of(away - separation(i, j));
       }
-      near_.push_back({i, j});
+      near_.push_back({i, j, image});
     });
   }
+}
+
+MembranePatch::Vector MembranePatch::beside(int i, const Vector& place) const {
+  if (!lattice_->is_periodic()) return place;
+  const Eigen::Vector3d here = x_[at(i)].cast<double>().head<3>();
+  return in_lanes(lattice_->near(here, place.cast<double>().head<3>()));
+}
+
+MembranePatch::Vector MembranePatch::seen_from(int i, const Eigen::Vector3d& place) const {
+  const Eigen::Vector3d here = origin_ + x_[at(i)].cast<double>().head<3>();
+  return in_lanes(lattice_->near(here, place) - origin_);
 }
 
 VertexHold MembranePatch::hold(int i) const {
@@ -72,9 +90,13 @@ VertexHold MembranePatch::hold(int i) const {
 
 bool MembranePatch::collapse(int removed, int kept) {
   if (!topology_.collapse(removed, kept)) return false;
-  if (!topology_.is_on_feature(kept)) x_[at(kept)] = 0.5F * (x_[at(kept)] + x_[at(removed)]);
+  if (!topology_.is_on_feature(kept)) {
+    x_[at(kept)] = 0.5F * (x_[at(kept)] + beside(kept, x_[at(removed)]));
+  }
   for (Pull<float>& pull : pulls_) {
-    if (pull.i == removed) pull.i = kept;
+    if (pull.i != removed) continue;
+    pull.i = kept;
+    pull.point = beside(kept, pull.point);
   }
   return true;
 }
@@ -82,26 +104,33 @@ bool MembranePatch::collapse(int removed, int kept) {
 bool MembranePatch::split(int a, int b) {
   if (!topology_.split(a, b)) return false;
   const int n = topology_.added();
-  x_[at(n)] = 0.5F * (x_[at(a)] + x_[at(b)]);
-  holds_[at(n)] = {0.5F * (holds_[at(a)].foot + holds_[at(b)].foot),
+  x_[at(n)] = 0.5F * (x_[at(a)] + beside(a, x_[at(b)]));
+  holds_[at(n)] = {0.5F * (holds_[at(a)].foot + beside(a, holds_[at(b)].foot)),
                    (holds_[at(a)].normal + holds_[at(b)].normal).normalized()};
   const std::size_t before = near_.size();
   for (std::size_t k = 0; k < before; ++k) {
-    if (near_[k][0] == a) near_.push_back({n, near_[k][1]});
-    if (near_[k][1] == a) near_.push_back({n, near_[k][0]});
+    const auto [i, j, image] = near_[k];
+    if (i == a) near_.push_back({n, j, image});
+    if (j == a) near_.push_back({n, i, {-image[0], -image[1], -image[2]}});
   }
   return true;
 }
 
 void MembranePatch::mend_valences() {
   while (const auto edge = topology_.mending_flip([&](int c, int d) {
-    return static_cast<double>((x_[at(c)] - x_[at(d)]).squaredNorm());
+    return static_cast<double>((x_[at(c)] - beside(c, x_[at(d)])).squaredNorm());
   })) {
     if (!topology_.flip(edge->a, edge->b)) return;
   }
 }
 
-void MembranePatch::add_hinges(MembraneTerms<float>& terms) const {
+Lattice::Image MembranePatch::image_beside(int i, int j) const {
+  const Eigen::Vector3d away = separation(i, j);
+  return lattice_->image_of(lattice_->nearest(away) - away);
+}
+
+bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images) const {
+  const bool is_periodic = lattice_->is_periodic();
   const auto moves = [&](int i) { return i >= 0 && i < topology_.inner_count(); };
   for (int a = 0; a < topology_.size(); ++a) {
     const int n = topology_.valence(a);
@@ -114,22 +143,38 @@ void MembranePatch::add_hinges(MembraneTerms<float>& terms) const {
       const int d = is_first ? -1 : topology_.neighbor(a, k == 0 ? n - 1 : k - 1);
       if (!moves(a) && !moves(b) && !moves(c) && !moves(d)) continue;
       if (c < 0 || d < 0 || topology_.is_rigid(a, b)) {
-        terms.edges.push_back({a, b});
-      } else {
+        terms.edges.push_back({a, is_periodic ? images.number(b, image_beside(a, b)) : b});
+      } else if (!is_periodic) {
         terms.hinges.push_back({a, b, c, d});
+      } else {
+        const Lattice::Image to_b = image_beside(a, b);
+        const Lattice::Image to_c = image_beside(a, c);
+        const Lattice::Image to_d = image_beside(a, d);
+        // Edges lead to nearest images; else the faces would not close.
+        for (const auto& [image, opposite] : {std::pair(to_c, c), std::pair(to_d, d)}) {
+          const Eigen::Vector3d side =
+              separation(b, opposite) + lattice_->translation(image) - lattice_->translation(to_b);
+          if (!lattice_->is_nearest(side)) return false;
+        }
+        terms.hinges.push_back(
+            {a, images.number(b, to_b), images.number(c, to_c), images.number(d, to_d)});
       }
     }
   }
+  return true;
 }
 
-MembraneTerms<float> MembranePatch::terms() const {
+std::optional<MembraneTerms<float>> MembranePatch::terms(VertexImages& images) const {
   MembraneTerms<float> terms;
   terms.hinges.reserve(400);
-  add_hinges(terms);
-  for (const auto& [i, j] : near_) {
-    if (!topology_.is_inside(i) || topology_.is_neighbor(i, j)) continue;
+  if (!add_hinges(terms, images)) return std::nullopt;
+  for (const auto& [i, j, image] : near_) {
+    if (!topology_.is_inside(i)) continue;
+    if (topology_.is_neighbor(i, j) && (!lattice_->is_periodic() || image == image_beside(i, j))) {
+      continue;
+    }
     if (j < topology_.inner_count() && !topology_.is_inside(j)) continue;
-    if (i != j) terms.contacts.push_back({i, j});
+    if (i != j) terms.contacts.push_back({i, images.number(j, image)});
   }
   terms.tethers = feature_tethers_;
   const double per_area = membrane_->coarseness() * membrane_->coarseness();
@@ -151,15 +196,23 @@ double MembranePatch::core_energy() const {
 }
 
 std::optional<double> MembranePatch::relax(const Relaxation& relaxation, Lbfgs<float>& minimizer) {
-  const MembraneTerms<float> all = terms();
+  const std::size_t own = x_.size();
+  VertexImages images(own);
+  const std::optional<MembraneTerms<float>> found = terms(images);
+  if (!found) return std::nullopt;
+  const MembraneTerms<float>& all = *found;
   const double cores = core_energy();
-  const MembranePreconditioner<float> inverse(*membrane_, all, x_, at(topology_.inner_count()));
+  images.place(*lattice_, x_);
+  const MembranePreconditioner<float> inverse(*membrane_, all, x_, at(topology_.inner_count()),
+                                              images);
   const Eigen::Index n = 4 * static_cast<Eigen::Index>(topology_.inner_count());
   std::vector<Vector> slopes(x_.size());
   const auto evaluate = [&](const Lbfgs<float>::Vector& from, Lbfgs<float>::Vector& gradient) {
     std::copy_n(from.data(), n, x_[0].data());
+    images.place(*lattice_, x_);
     std::ranges::fill(slopes, Vector::Zero());
     const float energy = membrane_energy(*membrane_, all, x_, slopes);
+    images.collect(slopes);
     std::copy_n(slopes[0].data(), n, gradient.data());
     return energy;
   };
@@ -179,6 +232,7 @@ std::optional<double> MembranePatch::relax(const Relaxation& relaxation, Lbfgs<f
                                            .tolerance = static_cast<float>(relaxation.tolerance)},
                                           evaluate, precondition, gives_up);
   std::copy_n(x.data(), n, x_[0].data());
+  x_.resize(own);
   if (is_hopeless) return std::nullopt;
   return energy + cores;
 }

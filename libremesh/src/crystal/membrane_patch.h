@@ -55,23 +55,39 @@ class MembranePatch {
   }
   void find_holds(const MembraneNet& net);
   void find_contacts(const MembraneNet& net, const PointGrid& grid, const PatchMarks& marks);
-  [[nodiscard]] MembraneTerms<float> terms() const;
-  void add_hinges(MembraneTerms<float>& terms) const;
+  /// None where an edge has become too long for the lattice.
+  [[nodiscard]] std::optional<MembraneTerms<float>> terms(VertexImages& images) const;
+  bool add_hinges(MembraneTerms<float>& terms, VertexImages& images) const;
+  [[nodiscard]] Eigen::Vector3d separation(int i, int j) const {
+    return (x_[at(j)] - x_[at(i)]).cast<double>().head<3>();
+  }
+  /// The image of a place that is nearest to a vertex.
+  [[nodiscard]] Vector seen_from(int i, const Eigen::Vector3d& place) const;
+  [[nodiscard]] Vector beside(int i, const Vector& place) const;
+  /// The image of vertex j that is beside vertex i.
+  [[nodiscard]] Lattice::Image image_beside(int i, int j) const;
   [[nodiscard]] double core_energy() const;
 
   struct Hold {
     Vector foot;
     Vector normal;
   };
+  /// Vertices i and an image of j.
+  struct NearPair {
+    int i;
+    int j;
+    Lattice::Image image;
+  };
 
   const Membrane* membrane_;
+  const Lattice* lattice_;
   PatchTopology topology_;
   Eigen::Vector3d origin_;
   std::vector<Vector> x_;    ///< seen from the origin; vertices of other sheets at the end
   std::vector<Hold> holds_;  ///< of the inner vertices
   std::vector<Tether<float>> feature_tethers_;  ///< that hold vertices to curves and corners
   std::vector<Pull<float>> pulls_;
-  std::vector<std::array<int, 2>> near_;  ///< pairs that may touch, edges included
+  std::vector<NearPair> near_;  ///< pairs that may touch, edges included
 };
 
 }  // namespace trivalent::remesh

@@ -8,12 +8,14 @@ template <typename Scalar>
 MembranePreconditioner<Scalar>::MembranePreconditioner(const Membrane& membrane,
                                                        const MembraneTerms<Scalar>& terms,
                                                        const std::vector<Lanes<Scalar>>& x,
-                                                       std::size_t count)
+                                                       std::size_t count,
+                                                       const VertexImages& images)
     : inverse_(count, Block::Zero()) {
   using Matrix = Eigen::Matrix<Scalar, 3, 3>;
   std::vector<Matrix> sum(count, Matrix::Zero());
-  const auto add = [&](int i, const Matrix& block) {
-    if (static_cast<std::size_t>(i) < count) sum[static_cast<std::size_t>(i)] += block;
+  const auto add = [&](int number, const Matrix& block) {
+    const auto i = static_cast<std::size_t>(images.vertex_of(number));
+    if (i < count) sum[i] += block;
   };
   const auto k = static_cast<Scalar>(membrane.stretching);
   const auto add_spring = [&](int a, int b) {

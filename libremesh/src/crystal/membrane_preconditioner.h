@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "crystal/membrane.h"
+#include "crystal/vertex_images.h"
 
 namespace trivalent::remesh {
 
@@ -16,9 +17,11 @@ namespace trivalent::remesh {
 template <typename Scalar>
 class MembranePreconditioner {
  public:
+  /// @param x      Of vertices and images.
   /// @param count  Vertices that move: 0 to count - 1. Those without a term get zero.
   MembranePreconditioner(const Membrane& membrane, const MembraneTerms<Scalar>& terms,
-                         const std::vector<Lanes<Scalar>>& x, std::size_t count);
+                         const std::vector<Lanes<Scalar>>& x, std::size_t count,
+                         const VertexImages& images);
 
   /// Multiplies a vector, four numbers a vertex.
   template <typename Vector>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include "crystal/inflation.h"
@@ -118,7 +119,13 @@ double slackening(const TriMesh& surface, double area) {
   constexpr double radius = 40.0;  // [Å] up to which nothing changes
   constexpr double exponent = 4.0;
   // 1/H for the root mean square of the mean curvature: the radius of a sphere.
-  const double smoothness = std::sqrt(4.0 * area / bending_integral(surface));
+  double bending = bending_integral(surface);
+  if (surface.lattice.is_periodic()) {
+    // Minimal surfaces bend without mean curvature: ∫ k1² + k2² dA, of a sphere as large.
+    const double gaussian = 2.0 * std::numbers::pi * euler_characteristic(surface);
+    bending = 2.0 * (bending - 2.0 * gaussian);
+  }
+  const double smoothness = std::sqrt(4.0 * area / bending);
   return std::min(1.0, std::pow(radius / smoothness, exponent));
 }
 

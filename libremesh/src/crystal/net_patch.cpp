@@ -11,12 +11,14 @@ NetPatch::NetPatch(const ConstrainedMesh& constrained, const std::vector<MotionF
     : topology_(constrained, center, {.inner = rings, .known = rings}, marks),
       origin_(constrained.mesh.point(center)) {
   if (!is_whole()) return;
+  const std::vector<Eigen::Vector3d> positions = unfolded_positions(constrained.mesh, topology_);
+  meets_itself_ = meets_itself(constrained.mesh, topology_, positions);
   for (int i = 0; i < topology_.size(); ++i) {
     mobility_[at(i)] = 0;
     place_[at(i)] = Vector::Zero();
     const VertexHandle v = topology_.vertex(i);
     if (!v.is_valid()) continue;
-    place_[at(i)] = in_lanes(constrained.mesh.point(v) - origin_);
+    place_[at(i)] = in_lanes(positions[at(i)] - origin_);
     if (!topology_.is_inside(i)) continue;
     const MotionFrame& frame = frames[index(v)];
     mobility_[at(i)] = static_cast<std::uint8_t>(frame.freedoms);

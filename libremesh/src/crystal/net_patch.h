@@ -25,8 +25,8 @@ class NetPatch {
            VertexHandle center, int rings, PatchMarks& marks);
 
   [[nodiscard]] const PatchTopology& topology() const { return topology_; }
-  /// False if the patch did not fit.
-  [[nodiscard]] bool is_whole() const { return topology_.is_whole(); }
+  /// False if the patch did not fit, or reaches around a lattice to itself.
+  [[nodiscard]] bool is_whole() const { return topology_.is_whole() && !meets_itself_; }
   void set_position(int i, const Eigen::Vector3d& p) { place_[at(i)] = in_lanes(p - origin_); }
   [[nodiscard]] Eigen::Vector3d position(int i) const {
     return origin_ + place_[at(i)].cast<double>().head<3>();
@@ -60,6 +60,7 @@ class NetPatch {
 
   PatchTopology topology_;
   Eigen::Vector3d origin_;
+  bool meets_itself_ = false;
   std::array<Vector, capacity> place_;  ///< positions, seen from the origin
   std::array<Vector, capacity> normal_;
   std::array<Vector, capacity> first_;  ///< tangent directions

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/geometry.h"
+
 namespace trivalent::remesh {
 
 namespace {
@@ -216,6 +218,39 @@ std::optional<PatchTopology::MendingFlip> PatchTopology::mending_flip(
     }
   }
   return best;
+}
+
+std::vector<Eigen::Vector3d> unfolded_positions(const TriMesh& mesh,
+                                                const PatchTopology& topology) {
+  const auto n = static_cast<std::size_t>(topology.size());
+  std::vector<Eigen::Vector3d> positions(n, Eigen::Vector3d::Zero());
+  std::vector<char> is_known(n, 0);
+  const auto place = [&](int i, const Eigen::Vector3d& beside) {
+    const auto k = static_cast<std::size_t>(i);
+    if (is_known[k] != 0) return;
+    positions[k] = mesh.lattice.near(beside, mesh.point(topology.vertex(i)));
+    is_known[k] = 1;
+  };
+  place(0, mesh.point(topology.vertex(0)));
+  for (int i = 0; i < topology.size(); ++i) {
+    for (int k = 0; k < topology.valence(i); ++k) {
+      place(topology.neighbor(i, k), positions[static_cast<std::size_t>(i)]);
+    }
+  }
+  return positions;
+}
+
+bool meets_itself(const TriMesh& mesh, const PatchTopology& topology,
+                  const std::vector<Eigen::Vector3d>& positions) {
+  if (!mesh.lattice.is_periodic()) return false;
+  for (int i = 0; i < topology.size(); ++i) {
+    for (int k = 0; k < topology.valence(i); ++k) {
+      const auto j = static_cast<std::size_t>(topology.neighbor(i, k));
+      if (!mesh.lattice.is_nearest(positions[j] - positions[static_cast<std::size_t>(i)]))
+        return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace trivalent::remesh

@@ -135,4 +135,14 @@ class PatchTopology {
   std::vector<PatchChange> changes_;
 };
 
+/// Positions of the vertices of a new patch, side by side: in a lattice, of the images that edges
+/// lead to from the center.
+[[nodiscard]] std::vector<Eigen::Vector3d> unfolded_positions(const TriMesh& mesh,
+                                                              const PatchTopology& topology);
+
+/// Whether a patch reaches around the lattice to itself, so that an edge leads to another image of
+/// a vertex than that at `positions`.
+[[nodiscard]] bool meets_itself(const TriMesh& mesh, const PatchTopology& topology,
+                                const std::vector<Eigen::Vector3d>& positions);
+
 }  // namespace trivalent::remesh

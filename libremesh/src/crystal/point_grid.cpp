@@ -4,16 +4,17 @@
 
 namespace trivalent::remesh {
 
-PointGrid::PointGrid(std::span<const Eigen::Vector3d> points, std::span<const int> chosen,
-                     double cell)
-    : size_(cell), shift_(63) {
-  while (shift_ > 40 && (std::size_t{1} << (64U - shift_)) < chosen.size()) --shift_;
+PointGrid::PointGrid(const TriMesh& mesh, double cell, double reach)
+    : lattice_(mesh.lattice), size_(cell), shift_(63) {
+  if (lattice_.is_periodic()) translations_ = lattice_.translations_within(reach);
   std::vector<Entry> unsorted;
-  unsorted.reserve(chosen.size());
-  for (const int i : chosen) {
-    const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
-    unsorted.push_back({key_of(cell_of(p)), i, p});
+  unsorted.reserve(mesh.n_vertices());
+  for (const auto v : mesh.vertices()) {
+    const Eigen::Vector3d p = lattice_.wrapped(mesh.point(v));
+    unsorted.push_back({key_of(cell_of(p)), v.idx(), p});
+    box_.extend(p);
   }
+  while (shift_ > 40 && (std::size_t{1} << (64U - shift_)) < unsorted.size()) --shift_;
   // Counting sort: bucket k is [begin[k], begin[k + 1]).
   begin_.assign((std::size_t{1} << (64U - shift_)) + 1, 0);
   for (const Entry& entry : unsorted) ++begin_[bucket_of(entry.key) + 1];

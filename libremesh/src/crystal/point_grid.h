@@ -1,25 +1,37 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
+
+#include "trivalent/remesh/mesh.h"
 
 namespace trivalent::remesh {
 
-/// Points sorted into the cells of a hashed grid, to find those near a place.
+/// The vertices of a mesh sorted into the cells of a hashed grid, to find those near a place.
 class PointGrid {
  public:
-  /// @param points  Kept by reference.
-  /// @param chosen  Numbers of the points to be found.
-  /// @param cell    Edge of a cell, > 0, in the points' unit.
-  PointGrid(std::span<const Eigen::Vector3d> points, std::span<const int> chosen, double cell);
+  /// @param cell    Edge of a cell of the grid, > 0, in the mesh's unit.
+  /// @param reach   Maximum radius of a visit.
+  PointGrid(const TriMesh& mesh, double cell, double reach);
 
-  /// Calls visit(number, squared distance) for every point within the radius, in a fixed order.
+  /// Calls visit(vertex, separation from the center) for every vertex within the radius, in a fixed
+  /// order; in a lattice for every image.
   template <typename Visit>
   void visit(const Eigen::Vector3d& center, double radius, const Visit& visit) const {
+    const Eigen::Vector3d home = lattice_.wrapped(center);
+    visit_box(home, radius, visit);
+    for (const Eigen::Vector3d& translation : translations_) {
+      const Eigen::Vector3d image = home + translation;
+      if (box_.squaredExteriorDistance(image) <= radius * radius) visit_box(image, radius, visit);
+    }
+  }
+
+ private:
+  template <typename Visit>
+  void visit_box(const Eigen::Vector3d& center, double radius, const Visit& visit) const {
     const Cell low = cell_of(center - Eigen::Vector3d::Constant(radius));
     const Cell high = cell_of(center + Eigen::Vector3d::Constant(radius));
     for (std::int64_t x = low[0]; x <= high[0]; ++x) {
@@ -31,11 +43,10 @@ class PointGrid {
     }
   }
 
- private:
   using Cell = std::array<std::int64_t, 3>;
   struct Entry {
     std::uint64_t key;
-    int number;
+    int vertex;
     Eigen::Vector3d position;
   };
 
@@ -64,11 +75,14 @@ class PointGrid {
     for (std::size_t i = begin_[bucket]; i < begin_[bucket + 1]; ++i) {
       const Entry& entry = entries_[i];
       if (entry.key != key) continue;
-      const double squared = (entry.position - center).squaredNorm();
-      if (squared <= squared_radius) visit(entry.number, squared);
+      const Eigen::Vector3d separation = entry.position - center;
+      if (separation.squaredNorm() <= squared_radius) visit(entry.vertex, separation);
     }
   }
 
+  Lattice lattice_;
+  std::vector<Eigen::Vector3d> translations_;  // to images within reach
+  Eigen::AlignedBox3d box_;                    // around all entries
   double size_;
   unsigned shift_;
   std::vector<std::size_t> begin_;  // of each bucket in `entries_`, and the end of the last

@@ -17,6 +17,7 @@ namespace {
 std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
                                              const IndexLists& around, double length, int sweeps) {
   const std::vector<MotionFrame> frames = motion_frames(constrained);
+  const Lattice& lattice = constrained.mesh.lattice;
   std::vector<Eigen::Vector3d> positions(frames.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = constrained.mesh.point(VertexHandle(static_cast<int>(i)));
@@ -26,7 +27,8 @@ std::vector<Eigen::Vector3d> positions_after(const ConstrainedMesh& constrained,
       if (frames[i].freedoms == 0) continue;
       SpringStep step(frames[i]);
       for (const int j : around[i]) {
-        step.add_edge(positions[static_cast<std::size_t>(j)] - positions[i], length);
+        step.add_edge(lattice.nearest(positions[static_cast<std::size_t>(j)] - positions[i]),
+                      length);
       }
       positions[i] += step.displacement(length);
     }

@@ -51,6 +51,7 @@ bool is_sound(const Net& net, const TriMesh& surface, double length) {
 
 /// Whether every part of the surface has room for edges of this length.
 bool can_hold(const TriMesh& surface, double length) {
+  if (surface.lattice.is_periodic()) return length <= longest_edge_in(surface.lattice);
   return std::ranges::all_of(find_components(surface).parts, [&](const MeshComponent& part) {
     return length <= longest_edge_for(part.area, part.is_closed()) &&
            length <= longest_edge_along(part.area, part.box.longest_side(), part.is_closed());
@@ -67,13 +68,17 @@ std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
   return distances_to_surface(points, net);
 }
 
+int euler_characteristic(const TriMesh& mesh) {
+  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
+         static_cast<int>(mesh.n_faces());
+}
+
 int vertices_for_faces(const TriMesh& net, double faces) {
   // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
   const auto boundary =
       std::ranges::count_if(net.edges(), [](const auto e) { return e.is_boundary(); });
-  const int euler = static_cast<int>(net.n_vertices()) - static_cast<int>(net.n_edges()) +
-                    static_cast<int>(net.n_faces());
-  return euler + static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
+  return euler_characteristic(net) +
+         static_cast<int>(std::lround(0.5 * (faces + static_cast<double>(boundary))));
 }
 
 std::unique_ptr<Net> starting_net(const TriMesh& surface, const Creases& creases,

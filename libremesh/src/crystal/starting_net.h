@@ -15,6 +15,8 @@ struct Net {
   Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
 };
 
+[[nodiscard]] int euler_characteristic(const TriMesh& mesh);
+
 /// Vertices that a net would have with so many faces, and the topology and boundary that it has.
 [[nodiscard]] int vertices_for_faces(const TriMesh& net, double faces);
 

@@ -36,12 +36,15 @@ std::vector<VertexHandle> folded_vertices(const ConstrainedMesh& constrained) {
   return folded;
 }
 
+double squared_distance(const TriMesh& mesh, VertexHandle v, const Eigen::Vector3d& p) {
+  return mesh.lattice.nearest(mesh.point(v) - p).squaredNorm();
+}
+
 /// The vertex of a face that is nearest to p.
 VertexHandle nearest_corner(const TriMesh& mesh, int face, const Eigen::Vector3d& p) {
   VertexHandle nearest;
   for (const auto v : mesh.fv_range(FaceHandle(face))) {
-    if (!nearest.is_valid() ||
-        (mesh.point(v) - p).squaredNorm() < (mesh.point(nearest) - p).squaredNorm()) {
+    if (!nearest.is_valid() || squared_distance(mesh, v, p) < squared_distance(mesh, nearest, p)) {
       nearest = v;
     }
   }
@@ -83,9 +86,12 @@ int reach_tips(ConstrainedMesh& constrained, const TriMesh& surface, double far)
 /// Direction from the sheet of face b to that of face a, where the faces cross.
 Eigen::Vector3d direction_between(const ConstrainedMesh& constrained, const std::array<int, 3>& a,
                                   const std::array<int, 3>& b) {
+  const TriMesh& mesh = constrained.mesh;
+  const Eigen::Vector3d& here = mesh.point(VertexHandle(a[0]));
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (const int v : a) place += constrained.mesh.point(VertexHandle(v)) / 6.0;
-  for (const int v : b) place += constrained.mesh.point(VertexHandle(v)) / 6.0;
+  for (const auto& face : {a, b}) {
+    for (const int v : face) place += mesh.lattice.near(here, mesh.point(VertexHandle(v))) / 6.0;
+  }
   const auto foot = [&](const std::array<int, 3>& face) {
     return constrained.surface().walk_towards(place,
                                               constrained.anchor(VertexHandle(face[0])).face);
@@ -108,7 +114,7 @@ void unfold(ConstrainedMesh& constrained) {
     if (folded.empty()) return;
     for (const VertexHandle v : folded) {
       Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const auto neighbor : mesh.vv_range(v)) middle += mesh.point(neighbor);
+      for (const auto neighbor : mesh.vv_range(v)) middle += position_beside(mesh, v, neighbor);
       Anchor anchor = constrained.anchor(v);
       mesh.point(v) = constrained.project(middle / mesh.valence(v), anchor);
       constrained.set_anchor(v, anchor);
@@ -141,8 +147,7 @@ void part_sheets(ConstrainedMesh& constrained) {
   const double size = step * mean_edge_length(mesh);
   const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
   for (int i = 0; i < max_steps; ++i) {
-    const CrossingFaces crossing =
-        find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), faces, faces.size());
+    const CrossingFaces crossing = find_crossing_faces(mesh, faces.size());
     if (crossing.count == 0) return;
     std::vector<Eigen::Vector3d> pushes(mesh.n_vertices(), Eigen::Vector3d::Zero());
     for (const auto& [a, b] : crossing.first) {

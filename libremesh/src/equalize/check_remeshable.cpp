@@ -40,6 +40,26 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   }
 }
 
+void check_lattice(const TriMesh& mesh, const RemeshOptions& options) {
+  if (!mesh.lattice.is_periodic()) return;
+  const double largest = longest_edge_in(mesh.lattice);
+  if (options.target_edge_length > largest) {
+    throw InvalidOption(concat("remesh: a target edge length of ", options.target_edge_length,
+                               " is too large for a lattice whose shortest translation is ",
+                               mesh.lattice.shortest(), "; use at most ", largest,
+                               ", or a supercell"));
+  }
+  for (const auto e : mesh.edges()) {
+    if (e.is_boundary()) {
+      throw InvalidMesh(concat("remesh: edge ", e.idx(),
+                               " lies on an open boundary of a periodic surface; close it"));
+    }
+  }
+  if (options.feature_angle) {
+    throw InvalidOption("remesh: creases of periodic surfaces are not followed; set none");
+  }
+}
+
 void check_that_target_fits(const TriMesh& mesh, double target) {
   double area = 0.0;
   const MeshComponents components = find_components(mesh);
@@ -56,6 +76,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
                                  component.is_closed() ? "a closed" : "an open", " part of area ",
                                  component.area, "; it can hold at most ", largest));
     }
+    if (mesh.lattice.is_periodic()) continue;  // a tube, or a net of tubes, need not be closed
     const double length = component.box.longest_side();
     const double largest_along = longest_edge_along(component.area, length, component.is_closed());
     if (target > largest_along) {
@@ -77,6 +98,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
 
 void check_remeshable(const TriMesh& mesh, const RemeshOptions& options) {
   check_options(mesh, options);
+  check_lattice(mesh, options);
   check_that_target_fits(mesh, options.target_edge_length);
 }
 

@@ -12,11 +12,12 @@ namespace trivalent::remesh {
 
 namespace {
 
-Eigen::Vector3d area_vector(const std::array<int, 3>& face,
-                            const std::vector<Eigen::Vector3d>& at) {
-  return doubled_area_vector(at[static_cast<std::size_t>(face[0])],
-                             at[static_cast<std::size_t>(face[1])],
-                             at[static_cast<std::size_t>(face[2])]);
+/// Of a face whose vertices are at these places, or images of them.
+Eigen::Vector3d area_vector(const std::array<int, 3>& face, const std::vector<Eigen::Vector3d>& at,
+                            const Lattice& lattice) {
+  const Eigen::Vector3d& a = at[static_cast<std::size_t>(face[0])];
+  return doubled_area_vector(a, lattice.near(a, at[static_cast<std::size_t>(face[1])]),
+                             lattice.near(a, at[static_cast<std::size_t>(face[2])]));
 }
 
 /// Where all vertices are, and what the surface's normals are there; no normals if they do not
@@ -27,23 +28,24 @@ struct Placement {
 };
 
 /// Whether a face looks into the surface; across a tip it may look a little inwards.
-bool looks_inwards(const std::array<int, 3>& face, const Placement& at) {
+bool looks_inwards(const std::array<int, 3>& face, const Placement& at, const Lattice& lattice) {
   constexpr double min_cosine = -0.3;
   Eigen::Vector3d outward = Eigen::Vector3d::Zero();
   for (const int v : face) outward += at.normals[static_cast<std::size_t>(v)];
-  const Eigen::Vector3d area = area_vector(face, at.positions);
+  const Eigen::Vector3d area = area_vector(face, at.positions, lattice);
   return area.dot(outward) < min_cosine * area.norm() * outward.norm();
 }
 
 /// Vertices of faces that look the other way at `after` than at `before`, or no longer outwards.
 std::vector<VertexHandle> turned_vertices(const std::vector<std::array<int, 3>>& faces,
-                                          const Placement& before, const Placement& after) {
+                                          const Placement& before, const Placement& after,
+                                          const Lattice& lattice) {
   std::vector<VertexHandle> turned;
   for (const auto& face : faces) {
-    const bool turns =
-        area_vector(face, before.positions).dot(area_vector(face, after.positions)) < 0.0;
-    const bool turns_inwards =
-        !after.normals.empty() && looks_inwards(face, after) && !looks_inwards(face, before);
+    const bool turns = area_vector(face, before.positions, lattice)
+                           .dot(area_vector(face, after.positions, lattice)) < 0.0;
+    const bool turns_inwards = !after.normals.empty() && looks_inwards(face, after, lattice) &&
+                               !looks_inwards(face, before, lattice);
     if (!turns && !turns_inwards) continue;
     for (const int v : face) turned.emplace_back(v);
   }
@@ -82,7 +84,7 @@ void slide_vertices(ConstrainedMesh& constrained, const std::vector<Eigen::Vecto
   constexpr int half_steps = 3;
   const std::vector<std::array<int, 3>> faces = triangles_of(mesh);
   for (int attempt = 0;; ++attempt) {
-    const std::vector<VertexHandle> turned = turned_vertices(faces, before, after);
+    const std::vector<VertexHandle> turned = turned_vertices(faces, before, after, mesh.lattice);
     if (turned.empty()) break;
     // A face whose three vertices stay does not turn, so this ends.
     for (const VertexHandle v : turned) {

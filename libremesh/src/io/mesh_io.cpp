@@ -37,37 +37,37 @@ void write_position(std::ostream& out, const Eigen::Vector3d& p) {
   out.put('\n');
 }
 
-void write_vertices(std::ostream& out, const TriMesh& mesh, std::string_view prefix) {
-  for (const auto v : mesh.vertices()) {
+void write_vertices(std::ostream& out, const TriangleSoup& mesh, std::string_view prefix) {
+  for (const Eigen::Vector3d& p : mesh.points) {
     out << prefix;
-    write_position(out, mesh.point(v));
+    write_position(out, p);
   }
 }
 
 /// One line per face, with indices from `first`.
-void write_faces(std::ostream& out, const TriMesh& mesh, std::string_view prefix, int first) {
-  for (const auto f : mesh.faces()) {
+void write_faces(std::ostream& out, const TriangleSoup& mesh, std::string_view prefix, int first) {
+  for (const auto& triangle : mesh.triangles) {
     out << prefix;
-    for (const auto v : mesh.fv_range(f)) out << ' ' << v.idx() + first;
+    for (const int v : triangle) out << ' ' << v + first;
     out.put('\n');
   }
 }
 
-void write_off(std::ostream& out, const TriMesh& mesh) {
-  out << "OFF\n" << mesh.n_vertices() << ' ' << mesh.n_faces() << " 0\n";
+void write_off(std::ostream& out, const TriangleSoup& mesh) {
+  out << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
   write_vertices(out, mesh, "");
   write_faces(out, mesh, "3", 0);
 }
 
-void write_obj(std::ostream& out, const TriMesh& mesh) {
+void write_obj(std::ostream& out, const TriangleSoup& mesh) {
   write_vertices(out, mesh, "v ");
   write_faces(out, mesh, "f", 1);
 }
 
-void write_ply(std::ostream& out, const TriMesh& mesh) {
-  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.n_vertices()
+void write_ply(std::ostream& out, const TriangleSoup& mesh) {
+  out << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << mesh.n_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+      << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
   write_vertices(out, mesh, "");
   write_faces(out, mesh, "3", 0);
 }
@@ -77,26 +77,27 @@ void write_floats(std::ostream& out, const Eigen::Vector3d& p) {
     write_little_endian(out, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
 }
 
-void write_stl(std::ostream& out, const TriMesh& mesh) {
+void write_stl(std::ostream& out, const TriangleSoup& mesh) {
   // Must not begin with "solid", the mark of text files.
   std::array<char, 80> header{};
   std::string_view("binary STL, written by trivalent").copy(header.data(), header.size());
   out.write(header.data(), header.size());
-  write_little_endian(out, static_cast<std::uint32_t>(mesh.n_faces()));
-  for (const auto f : mesh.faces()) {
-    write_floats(out, face_normal(mesh, f));
-    for (const auto v : mesh.fv_range(f)) {
-      if (!mesh.point(v).cast<float>().allFinite()) {
-        throw FileError(
-            concat("write_mesh: vertex ", v.idx(), " is too far out for STL's 32-bit numbers"));
-      }
-      write_floats(out, mesh.point(v));
+  write_little_endian(out, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    std::array<Eigen::Vector3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<std::size_t>(triangle[k]);
+      corners[k] = mesh.points[v];
+      if (corners[k].cast<float>().allFinite()) continue;
+      throw FileError(concat("write_mesh: vertex ", v, " is too far out for STL's 32-bit numbers"));
     }
+    write_floats(out, unit_normal(corners));
+    for (const Eigen::Vector3d& corner : corners) write_floats(out, corner);
     out.put(0).put(0);  // attribute
   }
 }
 
-using Writer = void (*)(std::ostream&, const TriMesh&);
+using Writer = void (*)(std::ostream&, const TriangleSoup&);
 
 Writer writer_for(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
@@ -133,7 +134,7 @@ void write_mesh(const TriMesh& mesh, const std::filesystem::path& path) {
     throw InvalidMesh(
         concat("write_mesh: vertex ", v.idx(), " is at no finite position; nothing was written"));
   }
-  write_whole_file(path, [&](std::ostream& out) { write(out, mesh); });
+  write_whole_file(path, [&](std::ostream& out) { write(out, soup_of(mesh)); });
 }
 
 }  // namespace trivalent::remesh

@@ -72,12 +72,16 @@ namespace trivalent::remesh {
   return 0.5 * doubled_area_vector(a, b, c).norm();
 }
 
-/// Unit normal; zero for a face without an area.
-[[nodiscard]] inline Eigen::Vector3d face_normal(const TriMesh& mesh, FaceHandle f) {
-  const auto [a, b, c] = corners_of(mesh, f);
+/// Unit normal of a triangle; zero without an area.
+[[nodiscard]] inline Eigen::Vector3d unit_normal(const std::array<Eigen::Vector3d, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
   const Eigen::Vector3d n = doubled_area_vector(b, c, a);
   const double length = n.norm();
   return length > 0.0 ? Eigen::Vector3d(n * (1.0 / length)) : Eigen::Vector3d::Zero();
+}
+
+[[nodiscard]] inline Eigen::Vector3d face_normal(const TriMesh& mesh, FaceHandle f) {
+  return unit_normal(corners_of(mesh, f));
 }
 
 /// Edges from the vertex that a halfedge points to: the next of its face, and its own back.

@@ -73,10 +73,11 @@ Lattice::Lattice(const Cell& cell, const Periodic& periodic) : cell_(cell), peri
   Eigen::ColPivHouseholderQR<Cell> triangular(directions);
   triangular.setThreshold(flat);
   if (triangular.rank() < count) {
-    throw InvalidOption(
-        concat("lattice: the ", count, " periodic cell vectors enclose no ",
-               count == 3 ? "volume" : count == 2 ? "area" : "length",
-               "; give vectors that point in different directions"));
+    throw InvalidOption(concat("lattice: the ", count, " periodic cell vectors enclose no ",
+                               count == 3   ? "volume"
+                               : count == 2 ? "area"
+                                            : "length",
+                               "; give vectors that point in different directions"));
   }
   inverse_ = pseudo_inverse(vectors);
   short_ = with_short_vectors(vectors);
@@ -137,7 +138,8 @@ Eigen::Vector3d Lattice::wrapped(const Eigen::Vector3d& p) const {
   const Eigen::Vector3d counts = inverse_ * p;
   Image image = {0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (periodic_[k]) image[k] = -static_cast<int>(std::floor(counts[static_cast<Eigen::Index>(k)]));
+    if (periodic_[k])
+      image[k] = -static_cast<int>(std::floor(counts[static_cast<Eigen::Index>(k)]));
   }
   return p + translation(image);
 }

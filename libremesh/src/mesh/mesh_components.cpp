@@ -35,7 +35,8 @@ MeshComponent measure(const TriMesh& mesh, std::span<const FaceHandle> faces,
   }
   part.faces = static_cast<int>(faces.size());
   part.edges = (3 * part.faces + part.boundary_edges) / 2;
-  if (!part.is_closed()) part.volume = 0.0;
+  // In a lattice there need not be an inside.
+  if (!part.is_closed() || mesh.lattice.is_periodic()) part.volume = 0.0;
   return part;
 }
 
@@ -88,6 +89,11 @@ double longest_edge_for(double area, bool is_closed) {
   return std::sqrt(area / min_faces / unit_triangle_area);
 }
 
+double longest_edge_in(const Lattice& lattice) {
+  constexpr double edges_across = 4.0;
+  return lattice.shortest() / edges_across;
+}
+
 double longest_edge_along(double area, double length, bool is_closed) {
   // A little below √7.5 = 2.74 for closed ones, as edges are of about one length only.
   const double girth = is_closed ? 2.6 : 0.5;
@@ -105,7 +111,7 @@ MeshComponents find_components(const TriMesh& mesh) {
       components.of_face[static_cast<std::size_t>(f.idx())] = static_cast<int>(i);
     components.parts.push_back(measure(mesh, faces, is_counted));
   }
-  find_nesting(mesh, walk, components.parts);
+  if (!mesh.lattice.is_periodic()) find_nesting(mesh, walk, components.parts);
   return components;
 }
 

@@ -80,9 +80,7 @@ MeshQuality measure_quality(const TriMesh& mesh) {
   quality.edge_length = spread_of_edges(mesh);
   count_valences(mesh, quality);
   measure_angles(mesh, quality);
-  const auto crossing =
-      find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), triangles_of(mesh));
-  quality.self_intersections = static_cast<int>(crossing.count);
+  quality.self_intersections = static_cast<int>(find_crossing_faces(mesh).count);
   return quality;
 }
 

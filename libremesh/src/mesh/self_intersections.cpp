@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/unfolded_vertices.h"
 #include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
@@ -32,20 +33,43 @@ struct EnoughFound {};
 
 using FacePair = std::array<int, 2>;
 
+/// Triangles of a cell, and behind them those of the cells around that reach into it.
+struct UnfoldedFaces {
+  std::vector<Eigen::Vector3d> points = {};
+  std::vector<std::array<int, 3>> triangles = {};
+  std::size_t own = 0;              ///< triangles of the cell itself
+  std::vector<int> face_of = {};    ///< of the triangles behind
+  std::vector<char> is_ahead = {};  ///< of those: whether its image comes after the opposite one
+
+  /// Whether a pair counts: of the two places where a face meets an image of another, one does.
+  [[nodiscard]] bool counts(const FacePair& pair) const {
+    const auto later = static_cast<std::size_t>(pair[1]);
+    if (later < own) return true;
+    if (static_cast<std::size_t>(pair[0]) >= own) return false;
+    const int face = face_of[later - own];
+    return pair[0] < face || (pair[0] == face && is_ahead[later - own] != 0);
+  }
+  /// The pair by faces.
+  [[nodiscard]] FacePair faces(const FacePair& pair) const {
+    const auto later = static_cast<std::size_t>(pair[1]);
+    return {pair[0], later < own ? pair[1] : face_of[later - own]};
+  }
+};
+
 class IntersectionTest {
  public:
-  IntersectionTest(std::span<const Eigen::Vector3d> points,
-                   std::span<const std::array<int, 3>> triangles)
-      : corners_(triangles.begin(), triangles.end()) {
-    points_.reserve(points.size());
-    for (const Eigen::Vector3d& p : points) points_.emplace_back(p.x(), p.y(), p.z());
+  explicit IntersectionTest(UnfoldedFaces faces) : faces_(std::move(faces)) {
+    points_.reserve(faces_.points.size());
+    for (const Eigen::Vector3d& p : faces_.points) points_.emplace_back(p.x(), p.y(), p.z());
   }
+
+  [[nodiscard]] const UnfoldedFaces& faces() const { return faces_; }
 
   [[nodiscard]] std::vector<Box> boxes() const {
     std::vector<Box> boxes;
-    boxes.reserve(corners_.size());
-    for (std::size_t f = 0; f < corners_.size(); ++f) {
-      const Kernel::Triangle_3 face = triangle(corners_[f]);
+    boxes.reserve(faces_.triangles.size());
+    for (std::size_t f = 0; f < faces_.triangles.size(); ++f) {
+      const Kernel::Triangle_3 face = triangle(faces_.triangles[f]);
       if (!face.is_degenerate()) boxes.emplace_back(face.bbox(), static_cast<int>(f));
     }
     return boxes;
@@ -53,8 +77,8 @@ class IntersectionTest {
 
   /// Whether two faces, each with an area, meet elsewhere than in what they share.
   [[nodiscard]] bool operator()(const FacePair& pair) const {
-    Corners a = corners_[static_cast<std::size_t>(pair[0])];
-    Corners b = corners_[static_cast<std::size_t>(pair[1])];
+    Corners a = faces_.triangles[static_cast<std::size_t>(pair[0])];
+    Corners b = faces_.triangles[static_cast<std::size_t>(pair[1])];
     switch (shared_to_front(a, b)) {
       case 0:
         return CGAL::do_intersect(triangle(a), triangle(b));
@@ -102,7 +126,7 @@ class IntersectionTest {
            CGAL::coplanar_orientation(p, q, tip_a, tip_b) == CGAL::POSITIVE;
   }
 
-  std::vector<Corners> corners_;
+  UnfoldedFaces faces_;
   std::vector<Kernel::Point_3> points_;
 };
 
@@ -127,7 +151,7 @@ CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& ca
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           if (!meet(candidates[i])) continue;
           ++found.count;
-          found.first.push_back(candidates[i]);
+          found.first.push_back(meet.faces().faces(candidates[i]));
           // Now and then, for sorting after every pair would take quadratic time.
           if (found.first.size() > 2 * max_places) keep_first(found.first, max_places);
         }
@@ -196,7 +220,8 @@ CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::siz
         slab.boxes.begin(), slab.boxes.end(), [&](const Box& a, const Box& b) {
           const double begin = std::max(a.min_coord(axis), b.min_coord(axis));
           if (begin < slab.begin || begin >= slab.end) return;
-          candidates.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+          const FacePair pair = {std::min(a.info(), b.info()), std::max(a.info(), b.info())};
+          if (meet.faces().counts(pair)) candidates.push_back(pair);
           if (candidates.size() == batch_size) test_batch();
         });
     test_batch();
@@ -206,13 +231,45 @@ CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::siz
   return found;
 }
 
-}  // namespace
+UnfoldedFaces unfolded(const TriMesh& mesh) {
+  UnfoldedFaces faces;
+  UnfoldedVertices vertices(mesh, faces.points);
+  const auto box_of = [](const std::array<Eigen::Vector3d, 3>& corners) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : corners) box.extend(corner);
+    return box;
+  };
+  const auto moved = [](std::array<Eigen::Vector3d, 3> corners, const Eigen::Vector3d& by) {
+    for (Eigen::Vector3d& corner : corners) corner += by;
+    return corners;
+  };
+  Eigen::AlignedBox3d around;
+  double largest = 0.0;
+  std::vector<std::array<Eigen::Vector3d, 3>> at_home;
+  for (const auto f : mesh.faces()) {
+    at_home.push_back(corners_in_cell(mesh, f));
+    const Eigen::AlignedBox3d box = box_of(at_home.back());
+    around.extend(box);
+    largest = std::max(largest, box.diagonal().norm());
+    faces.triangles.push_back(vertices.numbers(f, at_home.back()));
+  }
+  faces.own = faces.triangles.size();
+  for (const Eigen::Vector3d& translation : mesh.lattice.translations_within(2.0 * largest)) {
+    const Lattice::Image image = mesh.lattice.image_of(translation);
+    for (const auto f : mesh.faces()) {
+      const auto corners = moved(at_home[static_cast<std::size_t>(f.idx())], translation);
+      if (!around.intersects(box_of(corners))) continue;
+      faces.triangles.push_back(vertices.numbers(f, corners));
+      faces.face_of.push_back(f.idx());
+      faces.is_ahead.push_back(image > Lattice::Image{0, 0, 0} ? 1 : 0);
+    }
+  }
+  return faces;
+}
 
-CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
-                                  std::span<const std::array<int, 3>> triangles,
-                                  std::size_t max_places) {
+CrossingFaces find_crossing(UnfoldedFaces faces, std::size_t max_places) {
   constexpr std::size_t at_a_time = 16;  // slabs, whatever the number of threads
-  const IntersectionTest meet(points, triangles);
+  const IntersectionTest meet(std::move(faces));
   std::vector<Box> boxes = meet.boxes();
   const int axis = longest_axis(boxes);
   std::vector<Slab> slabs = slabs_of(std::move(boxes), axis);
@@ -227,6 +284,23 @@ CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
   }
   found.count = std::min(found.count, max_crossings);
   return found;
+}
+
+}  // namespace
+
+CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
+                                  std::span<const std::array<int, 3>> triangles,
+                                  std::size_t max_places) {
+  return find_crossing({.points = {points.begin(), points.end()},
+                        .triangles = {triangles.begin(), triangles.end()},
+                        .own = triangles.size()},
+                       max_places);
+}
+
+CrossingFaces find_crossing_faces(const TriMesh& mesh, std::size_t max_places) {
+  if (mesh.lattice.is_periodic()) return find_crossing(unfolded(mesh), max_places);
+  return find_crossing_faces(std::span(mesh.points(), mesh.n_vertices()), triangles_of(mesh),
+                             max_places);
 }
 
 }  // namespace trivalent::remesh

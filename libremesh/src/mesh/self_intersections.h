@@ -9,7 +9,8 @@
 
 namespace trivalent::remesh {
 
-/// Pairs of faces that meet elsewhere than in the vertex or edge they share.
+/// Pairs of faces, or of a face and an image of one, that meet elsewhere than in the vertex or edge
+/// they share.
 struct CrossingFaces {
   std::size_t count = 0;
   std::vector<std::array<int, 2>> first;  ///< as many as asked for, by index
@@ -25,5 +26,7 @@ struct CrossingFaces {
 [[nodiscard]] CrossingFaces find_crossing_faces(std::span<const Eigen::Vector3d> points,
                                                 std::span<const std::array<int, 3>> triangles,
                                                 std::size_t max_places = 5);
+
+[[nodiscard]] CrossingFaces find_crossing_faces(const TriMesh& mesh, std::size_t max_places = 5);
 
 }  // namespace trivalent::remesh

@@ -18,4 +18,14 @@ namespace trivalent::remesh {
 // double_torus.cpp
 [[nodiscard]] TriMesh double_torus(const Request& request);
 
+// periodic_shapes.cpp
+[[nodiscard]] TriMesh schwarz_p(const Request& request);
+[[nodiscard]] TriMesh schwarz_d(const Request& request);
+[[nodiscard]] TriMesh gyroid(const Request& request);
+[[nodiscard]] TriMesh i_wp(const Request& request);
+[[nodiscard]] TriMesh neovius(const Request& request);
+[[nodiscard]] TriMesh plane(const Request& request);
+[[nodiscard]] TriMesh periodic_tube(const Request& request);
+[[nodiscard]] TriMesh wave(const Request& request);
+
 }  // namespace trivalent::remesh

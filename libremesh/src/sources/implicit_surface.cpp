@@ -8,11 +8,14 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mesh/geometry.h"
+#include "trivalent/remesh/error.h"
+
 namespace trivalent::remesh {
 
 namespace {
 
-/// Point of the lattice: all coordinates even (corners of cubes) or all odd (their centers).
+/// Point of the grid: all coordinates even (corners of cubes) or all odd (their centers).
 using Site = std::array<int, 3>;
 
 Site operator+(const Site& a, const Site& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -32,23 +35,66 @@ constexpr std::array<Site, 6> to_same_kind = {
 constexpr double snap_along_long = 0.24999;
 constexpr double snap_along_short = 0.41189;
 
-/// Mean edge of the result in lattice units, measured on the double torus after relaxation.
+/// Mean edge of the result in units of the grid, measured on the double torus after relaxation.
 constexpr double edge_per_unit = 1.54;
 
 constexpr int relaxation_sweeps = 5;
 constexpr int newton_steps = 4;
 
+/// Where the sites of a grid lie.
+struct Grid {
+  Eigen::Vector3d origin;   ///< of the site (0, 0, 0)
+  Eigen::Matrix3d steps;    ///< from a site to the next numbers, as columns
+  Site period = {0, 0, 0};  ///< numbers after which sites repeat; 0 where they do not
+  Site size = {0, 0, 0};    ///< numbers to march over, of a cell
+
+  [[nodiscard]] double unit() const { return steps.colwise().norm().maxCoeff(); }
+};
+
+Grid grid_around(const BoundingBox& box, double unit) {
+  return {.origin = box.low, .steps = unit * Eigen::Matrix3d::Identity()};
+}
+
+Grid grid_in(const Lattice& lattice, double unit) {
+  // Fewer cubes, and a site would be on both sides of another.
+  constexpr double min_cubes = 3.0;
+  Grid grid{.origin = Eigen::Vector3d::Zero(), .steps = lattice.cell()};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const Eigen::Vector3d along = lattice.cell().col(i);
+    const double cubes = std::max(std::round(0.5 * along.norm() / unit), min_cubes);
+    grid.size[k] = 2 * static_cast<int>(cubes);
+    grid.steps.col(i) /= grid.size[k];
+    if (lattice.periodic()[k]) {
+      grid.period[k] = grid.size[k];
+    } else {
+      grid.origin -= 0.5 * along;
+    }
+  }
+  return grid;
+}
+
 class Polygonizer {
  public:
-  Polygonizer(const ImplicitSurface& surface, double unit) : surface_(surface), unit_(unit) {}
+  Polygonizer(const ImplicitSurface& surface, const Grid& grid)
+      : surface_(surface), grid_(grid), unit_(grid.unit()) {}
 
   TriMesh run() {
-    const double longest = surface_.box.longest_side() / unit_;
-    int side = 2;
-    while (side < longest) side *= 2;
-    find_cubes({0, 0, 0}, side);
+    if (surface_.lattice.is_periodic()) {
+      list_all_cubes();
+    } else {
+      const double longest = surface_.box.longest_side() / unit_;
+      int side = 2;
+      while (side < longest) side *= 2;
+      find_cubes({0, 0, 0}, side);
+    }
     for (const Site& cube : cubes_) march_cube(cube);
-    return make_mesh(points_, triangles_);
+    if (triangles_.empty()) {
+      throw InvalidMesh("polygonize: the function has one sign everywhere; there is no surface");
+    }
+    TriMesh mesh = make_mesh(points_, triangles_);
+    mesh.lattice = surface_.lattice;
+    return mesh;
   }
 
  private:
@@ -65,7 +111,24 @@ class Polygonizer {
   }
 
   Eigen::Vector3d position_of(const Site& s) const {
-    return surface_.box.low + unit_ * Eigen::Vector3d(s[0], s[1], s[2]);
+    return grid_.origin + grid_.steps * Eigen::Vector3d(s[0], s[1], s[2]);
+  }
+
+  /// The same site by the numbers of the cell.
+  Site in_cell(Site site) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int period = grid_.period[k];
+      if (period > 0) site[k] = (site[k] % period + period) % period;
+    }
+    return site;
+  }
+
+  void list_all_cubes() {
+    for (int a = 0; a < grid_.size[0]; a += 2) {
+      for (int b = 0; b < grid_.size[1]; b += 2) {
+        for (int c = 0; c < grid_.size[2]; c += 2) cubes_.push_back({a, b, c});
+      }
+    }
   }
 
   /// Collects the cubes near the surface, by octants; `side` counts lattice units, cubes have two.
@@ -104,7 +167,8 @@ class Polygonizer {
       const auto cut = cut_towards(value, site + offset);
       if (!cut || *cut > snap || *cut * length >= nearest) return;
       nearest = *cut * length;
-      node.position = start + *cut * unit_ * Eigen::Vector3d(offset[0], offset[1], offset[2]);
+      node.position =
+          start + *cut * (grid_.steps * Eigen::Vector3d(offset[0], offset[1], offset[2]));
       node.value = 0.0;
     };
     for (const Site& offset : to_other_kind) try_neighbor(offset, std::sqrt(3.0), snap_along_short);
@@ -112,7 +176,8 @@ class Polygonizer {
     return node;
   }
 
-  int node_at(const Site& site) {
+  int node_at(const Site& any_image) {
+    const Site site = in_cell(any_image);
     const auto [found, is_new] =
         node_by_site_.try_emplace(key_of(site), static_cast<int>(nodes_.size()));
     if (is_new) nodes_.push_back(make_node(site));
@@ -136,7 +201,8 @@ class Polygonizer {
     if (is_new) {
       const Node& start = nodes_[static_cast<std::size_t>(inside)];
       const double t = start.value / (start.value - end.value);
-      found->second = add_point(start.position + t * (end.position - start.position));
+      const Eigen::Vector3d edge = surface_.lattice.nearest(end.position - start.position);
+      found->second = add_point(start.position + t * edge);
     }
     return found->second;
   }
@@ -200,8 +266,13 @@ class Polygonizer {
   }
 
   void add_quad(const std::array<int, 4>& v) {
-    const auto at = [&](std::size_t k) { return points_[static_cast<std::size_t>(v[k])]; };
-    if ((at(0) - at(2)).squaredNorm() <= (at(1) - at(3)).squaredNorm()) {
+    const auto squared = [&](std::size_t a, std::size_t b) {
+      return surface_.lattice
+          .nearest(points_[static_cast<std::size_t>(v[a])] -
+                   points_[static_cast<std::size_t>(v[b])])
+          .squaredNorm();
+    };
+    if (squared(0, 2) <= squared(1, 3)) {
       add_triangle(v[0], v[1], v[2]);
       add_triangle(v[0], v[2], v[3]);
     } else {
@@ -215,6 +286,7 @@ class Polygonizer {
       {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
   const ImplicitSurface& surface_;
+  Grid grid_;
   double unit_;
   std::vector<Site> cubes_;
   std::vector<Node> nodes_;
@@ -250,7 +322,7 @@ void even_out(TriMesh& mesh, const ImplicitSurface& surface, double edge_length)
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       int valence = 0;
       for (const auto w : mesh.vv_range(v)) {
-        sum += mesh.point(w);
+        sum += position_beside(mesh, v, w);
         ++valence;
       }
       moved[static_cast<std::size_t>(v.idx())] = onto_surface(surface, sum / valence, step);
@@ -262,7 +334,10 @@ void even_out(TriMesh& mesh, const ImplicitSurface& surface, double edge_length)
 }  // namespace
 
 TriMesh polygonize(const ImplicitSurface& surface, double edge_length) {
-  TriMesh mesh = Polygonizer(surface, edge_length / edge_per_unit).run();
+  const double unit = edge_length / edge_per_unit;
+  const Grid grid = surface.lattice.is_periodic() ? grid_in(surface.lattice, unit)
+                                                  : grid_around(surface.box, unit);
+  TriMesh mesh = Polygonizer(surface, grid).run();
   even_out(mesh, surface, edge_length);
   return mesh;
 }

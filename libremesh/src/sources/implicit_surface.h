@@ -6,21 +6,26 @@
 
 namespace trivalent::remesh {
 
-/// A closed surface given as the zero set of a function that is negative inside.
+/// A surface given as the zero set of a function that is negative inside.
 struct ImplicitSurface {
   /// Must not change faster than 1 per unit of length: then |value| is a lower bound of the
-  /// distance to the surface, and space that is too far away is skipped.
+  /// distance to the surface, and space that is too far away is skipped. In a lattice that is asked
+  /// near the surface only.
   std::function<double(const Eigen::Vector3d&)> value;
-  BoundingBox box;  ///< holds the surface with room on all sides
+  BoundingBox box = {};  ///< holds a free, closed surface with room on all sides
+  /// Of a periodic surface. Along vectors that are not periodic, the surface lies between -1/2 and
+  /// 1/2 of them.
+  Lattice lattice = {};
 };
 
-/// Triangulates an implicit surface, with edges of about edge_length.
+/// Triangulates an implicit surface, with edges of about edge_length; in a lattice, one cell of it.
 ///
-/// Marches over the tetrahedra of a body-centered cubic lattice, whose points snap to the surface
-/// where they come close, so that no slivers arise [Labelle2007]; then evens out the vertices.
-/// The lattice must resolve the surface: edge_length well below every feature and radius of it.
+/// Marches over the tetrahedra of a body-centered cubic grid, whose points snap to the surface
+/// where they come close, so that no slivers arise [Labelle2007]; then evens out the vertices. In a
+/// lattice the grid is stretched to fit the cell. The grid must resolve the surface: edge_length
+/// well below every feature and radius of it.
 ///
-/// @throws InvalidMesh if the lattice is too coarse for the surface.
+/// @throws InvalidMesh if there is no surface, or the grid is too coarse for it.
 ///
 /// Cost: O(n) for n faces.
 [[nodiscard]] TriMesh polygonize(const ImplicitSurface& surface, double edge_length);

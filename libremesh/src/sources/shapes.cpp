@@ -19,6 +19,7 @@ const std::vector<BuiltInShape>& shape_table() {
   static const ShapeParameter radius{"radius", 1.0, "radius"};
   static const ShapeParameter major{"R", 1.0, "radius of the center line"};
   static const ShapeParameter minor{"r", 0.4, "radius of the tube"};
+  static const ShapeParameter cell{"a", 1.0, "edge of the cell"};
   static const std::vector<BuiltInShape> table = {
       {{"sphere", "sphere", {radius}}, sphere},
       {{"ellipsoid",
@@ -46,7 +47,29 @@ const std::vector<BuiltInShape>& shape_table() {
          {"depth", 2.0, "extent along y"},
          {"amplitude", 0.1, "amplitude; may be 0 or negative"},
          {"wavelength", 1.0, "wavelength along x and y"}}},
-       wavy_sheet}};
+       wavy_sheet},
+      {{"schwarz-p", "periodic: Schwarz' P surface in its cubic cell", {cell}}, schwarz_p},
+      {{"schwarz-d", "periodic: Schwarz' D surface in a cubic cell of two by two by two", {cell}},
+       schwarz_d},
+      {{"gyroid", "periodic: Schoen's gyroid in its cubic cell", {cell}}, gyroid},
+      {{"i-wp", "periodic: Schoen's I-WP surface in its cubic cell", {cell}}, i_wp},
+      {{"neovius", "periodic: Neovius' surface in its cubic cell", {cell}}, neovius},
+      {{"plane",
+        "periodic along x and y: flat sheet, the cell a parallelogram",
+        {{"a", 1.0, "length along x"},
+         {"b", 1.0, "length of the other side"},
+         {"gamma", 90.0, "angle between the sides [degree]"}}},
+       plane},
+      {{"periodic-tube",
+        "periodic along z: cylinder",
+        {radius, {"length", 2.0, "length of the cell"}}},
+       periodic_tube},
+      {{"wave",
+        "periodic along x and y: sheet z = amplitude sin(2π x/a) sin(2π y/b)",
+        {{"a", 1.0, "length along x"},
+         {"b", 1.0, "length along y"},
+         {"amplitude", 0.1, "amplitude; may be 0 or negative"}}},
+       wave}};
   return table;
 }
 

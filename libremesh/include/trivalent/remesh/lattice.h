@@ -14,9 +14,9 @@ namespace trivalent::remesh {
 /// one.
 class Lattice {
  public:
-  using Cell = Eigen::Matrix3d;                ///< cell vectors as columns
-  using Periodic = std::array<bool, 3>;        ///< along each cell vector
-  using Image = std::array<int, 3>;            ///< so many cell vectors
+  using Cell = Eigen::Matrix3d;          ///< cell vectors as columns
+  using Periodic = std::array<bool, 3>;  ///< along each cell vector
+  using Image = std::array<int, 3>;      ///< so many cell vectors
 
   /// Of a free surface.
   Lattice() = default;
@@ -58,8 +58,8 @@ class Lattice {
   /// The image of a point within the cell that begins at the origin.
   [[nodiscard]] Eigen::Vector3d wrapped(const Eigen::Vector3d& p) const;
 
-  /// Translations but for zero after which the cell holds all points that are at most so far outside
-  /// of it.
+  /// Translations but for zero after which the cell holds all points that are at most so far
+  /// outside of it.
   [[nodiscard]] std::vector<Eigen::Vector3d> translations_within(double reach) const;
 
   /// No point is farther than this from the nearest image of another one, along the periodic
@@ -74,10 +74,10 @@ class Lattice {
 
   Cell cell_ = Cell::Zero();
   Periodic periodic_ = {false, false, false};
-  Cell inverse_ = Cell::Zero();          // of the periodic vectors, the others being zero
-  Cell short_ = Cell::Zero();             // a basis of short vectors; zero where not periodic
+  Cell inverse_ = Cell::Zero();  // of the periodic vectors, the others being zero
+  Cell short_ = Cell::Zero();    // a basis of short vectors; zero where not periodic
   Cell inverse_short_ = Cell::Zero();
-  std::vector<Eigen::Vector3d> around_;   // translations that may come nearer than rounding does
+  std::vector<Eigen::Vector3d> around_;  // translations that may come nearer than rounding does
   double shortest_squared_ = 0.0;
 };
 

@@ -30,6 +30,10 @@ struct MeshComponent {
 /// length m; of open ones, the narrowest is half as wide as its edges are long.
 [[nodiscard]] double longest_edge_along(double area, double length, bool is_closed);
 
+/// Maximum edge length of a net in a lattice, in the mesh's unit: with fewer edges across, vertices
+/// would share more than one edge.
+[[nodiscard]] double longest_edge_in(const Lattice& lattice);
+
 /// All connected parts of a surface, in the order of their first faces.
 struct MeshComponents {
   std::vector<MeshComponent> parts;

@@ -29,9 +29,9 @@ struct MeshFile {
 /// Cost: O(n) for n bytes; a million faces in OFF take about a second.
 [[nodiscard]] MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Writes OFF, OBJ, PLY (text) or STL (binary, 32-bit numbers), by extension. Coordinates in text
-/// have as many digits as are needed to read the same bits back. The file appears whole or not at
-/// all.
+/// Writes OFF, OBJ, PLY (text) or STL (binary, 32-bit numbers), by extension; of a periodic surface
+/// the faces of one cell, as soup_of() gives them. Coordinates in text have as many digits as are
+/// needed to read the same bits back. The file appears whole or not at all.
 ///
 /// @throws FileError   if the extension is unknown or the file cannot be written.
 /// @throws InvalidMesh if a coordinate is not finite.

@@ -54,4 +54,8 @@ struct TriangleSoup {
 /// @throws InvalidMesh if a polygon that is not convex has more than 1000 corners.
 [[nodiscard]] TriangleSoup triangulate(const PolygonSoup& soup);
 
+/// The faces of a mesh as they lie in space. Of a periodic surface that is one cell, in which a
+/// vertex has a point for each of its images that faces reach.
+[[nodiscard]] TriangleSoup soup_of(const TriMesh& mesh);
+
 }  // namespace trivalent::remesh

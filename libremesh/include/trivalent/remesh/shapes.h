@@ -23,7 +23,8 @@ struct ShapeDescription {
 };
 
 /// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube and
-/// wavy-sheet, in this order.
+/// wavy-sheet, then the periodic ones schwarz-p, schwarz-d, gyroid, i-wp, neovius, plane,
+/// periodic-tube and wave.
 [[nodiscard]] const std::vector<ShapeDescription>& built_in_shapes();
 
 /// A value for one of a shape's parameters.

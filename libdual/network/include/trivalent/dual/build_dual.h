@@ -13,7 +13,8 @@ inline constexpr double default_bond_length = 1.42;
 
 /// Takes the dual: one carbon atom at each face's centroid, one bond per interior edge, one ring
 /// per interior vertex (atoms counter-clockwise seen from outside). Atom i belongs to face i, bonds
-/// (first < second) follow the order of the edges and rings that of the vertices. There is no box.
+/// (first < second) follow the order of the edges and rings that of the vertices. The dual of a
+/// periodic surface has its cell, with periodic_box(); else there is no box.
 ///
 /// @throws InvalidNetwork if the mesh has no faces, or an interior vertex has valence 2.
 [[nodiscard]] Structure build_dual(const remesh::TriMesh& mesh);

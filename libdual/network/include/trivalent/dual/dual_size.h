@@ -12,7 +12,8 @@ struct MeanBond {
   double length = default_bond_length;  ///< mean bond length of the dual [Å], > 0
 };
 struct LongestSide {
-  double length = 0.0;  ///< longest side of the bounding box [Å], > 0
+  /// Of the longest side of the bounding box, or of the longest periodic cell vector [Å], > 0.
+  double length = 0.0;
 };
 struct Scale {
   double factor = 1.0;  ///< [Å per unit of the mesh], > 0

@@ -42,6 +42,7 @@ struct BuildOptions {
   dual::ShellOptions shell = {};  ///< size, bond and method; how remeshing is followed and stopped
   EdgeCap cap = EdgeCap::none;
   Relaxation relaxation = Relaxation::rebo;
+  potentials::BoxPolicy box = potentials::BoxPolicy::pressure_free;  ///< of a periodic shell
   /// A shell that is not at rest by then is caught somewhere: relax() can go on.
   int max_relaxation_steps = 3000;
   std::function<void(BuildStep)> on_step = {};  ///< before each step
