@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache git
-  libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev liblz4-dev pkg-config gemmi-dev tao-pegtl-dev libsymspg-dev
+  libopenmesh-dev libcgal-dev libeigen3-dev libtbb-dev zlib1g-dev libpugixml-dev liblz4-dev pkg-config gemmi-dev libmuparser-dev tao-pegtl-dev libsymspg-dev
   libboost-program-options-dev libboost-filesystem-dev nlohmann-json3-dev libcairo2-dev fonts-dejavu-core
   libgtest-dev libbenchmark-dev
   clang-14 libclang-rt-14-dev  # the fuzz targets

@@ -20,7 +20,7 @@ namespace trivalent::apps {
 namespace {
 
 shell::Surface read_surface(const BuildRequest& request) {
-  return shell::read_surface(request.shape, request.build.shell, request.repair);
+  return shell::read_surface(request.shape, request.build.shell, request.repair, request.cell);
 }
 
 int plan_only(const BuildRequest& request, const Terminal& terminal) {

@@ -1,5 +1,6 @@
 #include "build_options.h"
 
+#include "cell_options.h"
 #include "file_options.h"
 #include "files.h"
 #include "remesh_options.h"
@@ -24,8 +25,11 @@ std::vector<std::string> formats(const Session& session) {
 
 Grammar grammar_of_build() {
   Grammar grammar = {.arguments = {"SHAPE"},
-                     .options = po::options_description("Size of the shell")};
+                     .options = po::options_description("Size of the shell"),
+                     .optional_argument = "SHAPE"};
   add_shell_size_options(grammar.options);
+  po::options_description cell("Periodic surfaces and formulas");
+  add_cell_options(cell);
   po::options_description repair("Reading");
   add_repair_options(repair);
   po::options_description remeshing("Remeshing");
@@ -34,16 +38,18 @@ Grammar grammar_of_build() {
   files.add_options()                                                                  //
       ("output,o", po::value<std::string>(), "folder for the results; must be given")  //
       ("cap", with_default_name(shell::EdgeCap::none, shell::cap_names),
-       "hydrogen: puts H on the atoms at the edge of an open shell")  //
-      ("no-relax", "leave the atoms where the dual puts them")        //
+       "hydrogen: puts H on the atoms at the edge of an open shell")          //
+      ("no-relax", "leave the atoms where the dual puts them")                //
+      ("fix-box", "keep the cell of a periodic shell while its atoms relax")  //
       ("dry-run", "only tell what would be built, and whether it can be");
   add_file_options(files);
   files.add_options()("format", po::value<std::vector<std::string>>(),
                       "write the shell in this format of atoms too; may be given again");
-  grammar.options.add(repair).add(remeshing).add(files);
+  grammar.options.add(cell).add(repair).add(remeshing).add(files);
   grammar.epilog =
       "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input) or a\n"
-      "built-in shape.\n"
+      "built-in shape. Of periodic surfaces, --atoms and --length (the longest cell vector) are\n"
+      "those of the cell, which is relaxed with the atoms.\n"
       "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply, energy.vtp,\n"
       "report.json and report.html (open it in a browser).\n\n" +
       shapes_help();
@@ -51,14 +57,17 @@ Grammar grammar_of_build() {
 }
 
 BuildRequest build_request(const Session& session) {
-  return {.shape = session.get<std::string>("SHAPE"),
+  return {.shape = surface_name(session),
           .repair = repair_options(session),
+          .cell = cell_options(session),
           .build = {.shell = {.size = shell_size(session),
                               .bond = session.get<double>("bond"),
                               .method = remesh_method(session)},
                     .cap = named_value(session, "cap", shell::cap_names),
-                    .relaxation = session.has("no-relax") ? shell::Relaxation::none
-                                                          : shell::Relaxation::rebo},
+                    .relaxation =
+                        session.has("no-relax") ? shell::Relaxation::none : shell::Relaxation::rebo,
+                    .box = session.has("fix-box") ? potentials::BoxPolicy::fixed
+                                                  : potentials::BoxPolicy::pressure_free},
           .files = {.digits = digits(session),
                     .atom_style = atom_style(session),
                     .formats = formats(session)}};

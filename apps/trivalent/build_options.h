@@ -5,6 +5,7 @@
 #include "session.h"
 #include "trivalent/shell/build.h"
 #include "trivalent/shell/build_files.h"
+#include "trivalent/shell/surface_source.h"
 
 namespace trivalent::apps {
 
@@ -14,6 +15,7 @@ namespace trivalent::apps {
 struct BuildRequest {
   std::string shape;
   remesh::RepairOptions repair;
+  shell::CellOptions cell;
   shell::BuildOptions build;
   shell::BuildFileOptions files;
 };

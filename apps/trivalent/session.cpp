@@ -64,7 +64,7 @@ std::optional<Session> start(const Command& command, std::span<const std::string
   std::vector<std::string> required = grammar.arguments;
   if (!grammar.list.empty()) required.push_back(grammar.list);
   for (const std::string& name : required) {
-    if (values.count(name) > 0) continue;
+    if (values.count(name) > 0 || name == grammar.optional_argument) continue;
     throw UsageError("missing " + name + "; usage: trivalent " + std::string(command.name) + ' ' +
                      std::string(command.synopsis));
   }
@@ -80,6 +80,9 @@ Json options_json(const Session& session) {
     if (const auto* text = boost::any_cast<std::string>(&value.value())) json[name] = *text;
     if (const auto* number = boost::any_cast<double>(&value.value())) json[name] = *number;
     if (const auto* count = boost::any_cast<int>(&value.value())) json[name] = *count;
+    if (const auto* counts = boost::any_cast<std::vector<int>>(&value.value())) {
+      json[name] = *counts;
+    }
   }
   return json;
 }

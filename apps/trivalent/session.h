@@ -24,12 +24,13 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a subcommand takes: its arguments by position, all required, and its options.
+/// What a subcommand takes: its arguments by position, and its options.
 struct Grammar {
-  std::vector<std::string> arguments;
+  std::vector<std::string> arguments;  ///< all required, but for optional_argument
   po::options_description options;
   std::string epilog = {};  ///< printed after the options in --help
-  std::string list = {};    ///< name of an argument that follows and may be repeated, at least one
+  std::string optional_argument = {};
+  std::string list = {};  ///< name of an argument that follows and may be repeated, at least one
 };
 
 /// A subcommand at work: what it was told, where it talks, and how many threads it has.

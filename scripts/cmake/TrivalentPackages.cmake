@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, fonts-dejavu-core")
 # Only for those who compile against the libraries, run LAMMPS, or use ASE.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-ase, python3-tqdm, lammps, lammps-data, libopenmesh-dev, libcgal-dev, libeigen3-dev, \
-libtbb-dev, zlib1g-dev, libpugixml-dev, liblz4-dev, libcairo2-dev, libsymspg-dev, libboost-filesystem-dev, nlohmann-json3-dev")
+libtbb-dev, zlib1g-dev, libpugixml-dev, libmuparser-dev, liblz4-dev, libcairo2-dev, libsymspg-dev, libboost-filesystem-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/scripts/packaging/postinst
   ${PROJECT_SOURCE_DIR}/scripts/packaging/prerm)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "turns any surface into sp2 carbon")

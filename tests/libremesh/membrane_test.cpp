@@ -106,6 +106,55 @@ TEST(MembraneEnergy, BendingOfACylinderIsThatOfTheContinuum) {
   EXPECT_NEAR(bending, expected, 0.01 * expected);
 }
 
+TEST(Membrane, RestLengthsFollowTheInnerRadiiOfRings) {
+  Membrane membrane;
+  EXPECT_DOUBLE_EQ(membrane.rest_length(-1, 2), membrane.length);
+  membrane.ring_width = 1.0;
+  const auto inner_radius = [&](int size) {
+    // Of a ring whose bonds are as long as those of hexagons whose centers are L apart.
+    return 0.5 * membrane.length * std::tan(std::acos(-1.0) / 6.0) /
+           std::tan(std::acos(-1.0) / size);
+  };
+  for (const int size : {4, 5, 6, 7, 8}) {
+    EXPECT_NEAR(membrane.rest_length(size - 6, 1), inner_radius(size) + inner_radius(7), 1e-12);
+  }
+}
+
+TEST(MembraneEnergy, GradientByAnImageIsThatByItsVertex) {
+  const Membrane membrane;
+  const Lattice lattice(Eigen::Vector3d(7.0, 8.0, 9.0).asDiagonal(), {true, true, false});
+  Positions x = scattered(4);
+  VertexImages images(x.size());
+  const int beyond = images.number(1, {1, 0, 0});
+  const int far = images.number(2, {1, -1, 0});
+  EXPECT_EQ(images.number(1, {1, 0, 0}), beyond);
+  EXPECT_EQ(images.number(3, {0, 0, 0}), 3);
+  EXPECT_EQ(images.vertex_of(far), 2);
+  const MembraneTerms<double> terms = {.hinges = {{0, beyond, 2, 3}, {beyond, far, 0, 3}},
+                                       .contacts = {{0, beyond}}};
+  const auto energy_at = [&](Positions at, Positions& gradient) {
+    images.place(lattice, at);
+    gradient.assign(at.size(), Lanes<double>::Zero());
+    const double energy = membrane_energy(membrane, terms, at, gradient);
+    images.collect(gradient);
+    return energy;
+  };
+  Positions gradient;
+  const double energy = energy_at(x, gradient);
+  constexpr double step = 1e-5;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      Positions ignored;
+      Positions moved = x;
+      moved[i][k] += step;
+      const double above = energy_at(moved, ignored);
+      moved[i][k] -= 2.0 * step;
+      const double below = energy_at(moved, ignored);
+      EXPECT_NEAR(gradient[i][k], (above - below) / (2.0 * step), 1e-6 * (1.0 + energy));
+    }
+  }
+}
+
 TEST(MembranePreconditioner, InvertsTheHessianOfAVertexWhoseSpringsAreAtRest) {
   const Membrane membrane;
   const double length = membrane.length;
@@ -122,7 +171,7 @@ TEST(MembranePreconditioner, InvertsTheHessianOfAVertexWhoseSpringsAreAtRest) {
           {{0, 1, 2, 6}, {0, 2, 3, 1}, {0, 3, 4, 2}, {0, 4, 5, 3}, {0, 5, 6, 4}, {1, 2, 7, 0}},
       .edges = {{0, 6}},
       .tethers = {{0, 0.7, {0.0, 0.0, 0.0, 0.0}, {0.0, 0.6, 0.8, 0.0}}}};
-  const MembranePreconditioner<double> inverse(membrane, terms, x, 1);
+  const MembranePreconditioner<double> inverse(membrane, terms, x, 1, VertexImages(x.size()));
   constexpr double step = 1e-4 * Membrane::fine_length;
   for (int k = 0; k < 3; ++k) {
     const auto gradient_at = [&](double moved) {

@@ -19,12 +19,6 @@ namespace {
 using testing_support::tetrahedron;
 using testing_support::triangular_sheet;
 
-TriangleSoup soup_of(const TriMesh& mesh) {
-  TriangleSoup soup{{}, triangles_of(mesh), {}};
-  for (const auto v : mesh.vertices()) soup.points.push_back(mesh.point(v));
-  return soup;
-}
-
 /// The only finding, if it is of the kind and count expected.
 ProblemPlace only_place(const MeshDiagnosis& diagnosis, Problem problem, std::size_t count = 1) {
   EXPECT_EQ(diagnosis.findings.size(), 1u);

@@ -23,12 +23,6 @@ using testing_support::triangular_sheet;
 
 using Notes = std::vector<std::string>;
 
-TriangleSoup soup_of(const TriMesh& mesh) {
-  TriangleSoup soup{{}, triangles_of(mesh), {}};
-  for (const auto v : mesh.vertices()) soup.points.push_back(mesh.point(v));
-  return soup;
-}
-
 /// Adds a mesh with points of its own.
 void append(TriangleSoup& soup, const TriMesh& mesh, const Eigen::Vector3d& shift) {
   const int first = static_cast<int>(soup.points.size());

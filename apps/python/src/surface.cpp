@@ -8,6 +8,7 @@
 #include "module.h"
 #include "options.h"
 #include "trivalent/dual/error.h"
+#include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_io.h"
 #include "trivalent/shell/inspect.h"
 #include "trivalent/shell/mesh_dual.h"
@@ -109,7 +110,7 @@ py::object inspect(const py::object& object, const py::dict& values) {
     const py::gil_scoped_release released;
     const auto* path = std::get_if<std::string>(&source);
     json = (path != nullptr ? shell::inspect(*path, inspecting)
-                            : shell::inspect(std::get<remesh::TriangleSoup>(source), inspecting))
+                            : shell::inspect(soup_of(source), inspecting))
                .json();
   }
   return to_python(json);
@@ -125,17 +126,25 @@ std::shared_ptr<dual::Structure> dual_of(const Surface& surface, const py::dict&
 
 SurfaceSource surface_source(const py::object& source) {
   if (py::isinstance<py::str>(source)) return source.cast<std::string>();
-  if (py::isinstance<Surface>(source)) return soup_of_mesh(source.cast<const Surface&>());
+  if (py::isinstance<Surface>(source)) {
+    const auto& surface = source.cast<const Surface&>();
+    if (surface.mesh.lattice.is_periodic()) return surface;
+    return soup_of_mesh(surface);
+  }
   return soup_of_arrays(source.cast<py::tuple>());
 }
 
 remesh::TriangleSoup soup_of(const SurfaceSource& source) {
+  if (std::holds_alternative<Surface>(source)) {
+    throw remesh::InvalidOption("a periodic surface is taken by build, plan and dual only");
+  }
   const auto* path = std::get_if<std::string>(&source);
   return path != nullptr ? shell::read_soup(*path) : std::get<remesh::TriangleSoup>(source);
 }
 
 shell::Surface make_surface(const SurfaceSource& source, const dual::ShellOptions& shell,
                             const remesh::RepairOptions& repair) {
+  if (const auto* surface = std::get_if<Surface>(&source)) return *surface;
   const auto* path = std::get_if<std::string>(&source);
   return path != nullptr
              ? shell::read_surface(*path, shell, repair)

@@ -10,8 +10,8 @@
 
 namespace trivalent::python {
 
-/// A path or the name of a built-in shape, or points and triangles.
-using SurfaceSource = std::variant<std::string, remesh::TriangleSoup>;
+/// A path or the name of a built-in shape, points and triangles, or a periodic surface.
+using SurfaceSource = std::variant<std::string, remesh::TriangleSoup, shell::Surface>;
 
 /// Takes a str, a Surface, or a tuple of points (n, 3) and a list of arrays of faces (m, k).
 ///
@@ -20,6 +20,8 @@ using SurfaceSource = std::variant<std::string, remesh::TriangleSoup>;
 [[nodiscard]] SurfaceSource surface_source(const pybind11::object& source);
 
 /// The soup of a source; needs no GIL.
+///
+/// @throws remesh::InvalidOption if it is periodic.
 [[nodiscard]] remesh::TriangleSoup soup_of(const SurfaceSource& source);
 
 /// A sound surface for a shell; needs no GIL.

@@ -1,4 +1,4 @@
-#include "cell_angles.h"
+#include "trivalent/formats/cell_angles.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

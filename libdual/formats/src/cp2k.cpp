@@ -2,12 +2,12 @@
 
 #include <ostream>
 
-#include "cell_angles.h"
 #include "cell_frame.h"
 #include "columns_of_text.h"
 #include "length_units.h"
 #include "one_structure.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 

@@ -7,11 +7,11 @@
 #include <unordered_map>
 
 #include "bond_pairs.h"
-#include "cell_angles.h"
 #include "cell_frame.h"
 #include "columns_of_text.h"
 #include "one_structure.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 #include "trivalent/potentials/bonds.h"

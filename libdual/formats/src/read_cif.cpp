@@ -7,8 +7,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "cell_angles.h"
 #include "one_structure.h"
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/formats/cif.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"

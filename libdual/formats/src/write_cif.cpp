@@ -6,10 +6,10 @@
 #include <memory>
 #include <ostream>
 
-#include "cell_angles.h"
 #include "cell_frame.h"
 #include "columns_of_text.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/formats/cif.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"

@@ -1,12 +1,17 @@
 #include "trivalent/shell/surface_source.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/level_set.h"
+#include "trivalent/remesh/periodic.h"
 #include "trivalent/shell/ideal_source.h"
+#include "trivalent/shell/number_text.h"
 #include "trivalent/shell/plan.h"
 
 namespace trivalent::shell {
@@ -31,33 +36,117 @@ double value_of(const remesh::ShapeParameter& parameter, const ShapeCall& call) 
   return parameter.default_value;
 }
 
-/// A tenth of the smallest parameter of a shape: fine enough for all of them.
+/// Short enough for the topology of a shape.
 double coarse_edge_length(const ShapeCall& call) {
   double smallest = std::numeric_limits<double>::infinity();
+  double pieces = 1.0;
   for (const remesh::ShapeDescription& shape : remesh::built_in_shapes()) {
     if (shape.name != call.name) continue;
+    pieces = shape.coarsest;
     for (const remesh::ShapeParameter& parameter : shape.parameters) {
       const double value = value_of(parameter, call);
       if (value != 0.0) smallest = std::min(smallest, std::abs(value));
     }
   }
-  return smallest / 10.0;
+  return smallest / pieces;
 }
 
-remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions& options) {
+/// Edge length of triangles that look smooth to a shell.
+///
+/// @param coarse  The surface of long triangles, in the supercell.
+double fine_edge_length(const remesh::TriMesh& coarse, const dual::ShellOptions& options) {
   constexpr double faces_per_atom = 4.0;
   constexpr double min_faces = 4000.0;
-  const remesh::TriMesh coarse =
-      remesh::make_shape(call.name, call.arguments, coarse_edge_length(call));
   const Plan coarse_plan = plan(coarse, options);
   coarse_plan.require_feasible();  // before so many triangles are made
   const double n_faces = std::max(min_faces, faces_per_atom * coarse_plan.shell.atoms);
-  const double edge_length =
-      std::sqrt(1.0 / remesh::unit_triangle_area * remesh::surface_area(coarse) / n_faces);
-  return remesh::make_shape(call.name, call.arguments, edge_length);
+  return std::sqrt(1.0 / remesh::unit_triangle_area * remesh::surface_area(coarse) / n_faces);
+}
+
+remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions& options,
+                                const std::array<int, 3>& supercell) {
+  const remesh::TriMesh coarse =
+      remesh::make_shape(call.name, call.arguments, coarse_edge_length(call));
+  const double edge_length = fine_edge_length(remesh::repeated(coarse, supercell), options);
+  return remesh::repeated(remesh::make_shape(call.name, call.arguments, edge_length), supercell);
+}
+
+int euler_characteristic(const remesh::TriMesh& mesh) {
+  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
+         static_cast<int>(mesh.n_faces());
+}
+
+/// The surface of a formula, of triangles so short that shorter ones show no other topology.
+Surface formula_surface(const std::string& text, const dual::ShellOptions& options,
+                        const CellOptions& cell) {
+  if (!cell.lattice) {
+    throw remesh::InvalidOption(
+        "a formula needs --cell, in which it repeats, or --box around its closed surface");
+  }
+  const remesh::Formula formula(text);
+  const auto field = [&](const Eigen::Vector3d& p) { return formula(p); };
+  const auto surface_of = [&](double edge_length) {
+    return remesh::level_set(field, cell.level, *cell.lattice, edge_length);
+  };
+  constexpr double pieces_of_cell = 20.0;
+  constexpr double finer = 0.7;
+  constexpr int max_refinements = 4;
+  double edge_length = cell.lattice->cell().colwise().norm().minCoeff() / pieces_of_cell;
+  Surface surface{.mesh = surface_of(edge_length)};
+  edge_length = std::min(edge_length,
+                         fine_edge_length(remesh::repeated(surface.mesh, cell.supercell), options));
+  surface.mesh = surface_of(edge_length);
+  for (int i = 0; i < max_refinements; ++i) {
+    edge_length *= finer;
+    remesh::TriMesh fine = surface_of(edge_length);
+    const int before = euler_characteristic(surface.mesh);
+    const int after = euler_characteristic(fine);
+    if (before == after) break;
+    surface.mesh = std::move(fine);
+    if (i + 1 < max_refinements) continue;
+    surface.notes.push_back("the formula has details finer than triangles of " +
+                            significant(edge_length) +
+                            ": its Euler characteristic still changes, from " +
+                            std::to_string(before) + " to " + std::to_string(after));
+  }
+  surface.mesh = remesh::repeated(surface.mesh, cell.supercell);
+  return surface;
 }
 
 }  // namespace
+
+remesh::Lattice::Cell parse_cell(const std::string& text) {
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    numbers.push_back(remesh::number_of_formula(std::string(rest.substr(0, comma))));
+    if (comma == rest.size()) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (numbers.size() == 1) numbers.resize(3, numbers[0]);
+  if (numbers.size() == 3) numbers.resize(6, 90.0);
+  const auto is_length = [](double x) { return x > 0.0; };
+  if (numbers.size() != 6 || !std::all_of(numbers.begin(), numbers.begin() + 3, is_length)) {
+    throw remesh::InvalidOption(
+        "a cell is a, or a,b,c or a,b,c,alpha,beta,gamma with positive "
+        "lengths and angles in degree, not '" +
+        text + "'");
+  }
+  const Eigen::Matrix3d cell = dual::cell_of({.lengths = {numbers[0], numbers[1], numbers[2]},
+                                              .angles = {numbers[3], numbers[4], numbers[5]}});
+  constexpr double flat = 1e-6;  // of a cube's volume
+  if (!cell.allFinite() || !(cell.determinant() > flat * numbers[0] * numbers[1] * numbers[2])) {
+    throw remesh::InvalidOption("no cell has the angles of '" + text + "'");
+  }
+  return cell;
+}
+
+Surface in_cell(Surface surface, const CellOptions& cell) {
+  if (cell.lattice) surface.mesh = remesh::joined_in_cell(std::move(surface.mesh), *cell.lattice);
+  surface.mesh = remesh::repeated(surface.mesh, cell.supercell);
+  return surface;
+}
 
 ShapeCall parse_shape(std::string_view text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
@@ -94,14 +183,24 @@ Surface repair_surface(const remesh::TriangleSoup& soup, const dual::ShellOption
 }
 
 Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
-                     remesh::RepairOptions repair) {
+                     remesh::RepairOptions repair, const CellOptions& cell) {
   if (is_ideal_structure(source)) {
     throw remesh::InvalidOption(source +
                                 " is no surface but atoms already: relax, energy, view, "
                                 "lammps and the others take it in place of a file");
   }
-  if (is_built_in(source)) return {.mesh = make_fine_shape(parse_shape(source), shell)};
-  return repair_surface(read_soup(source), shell, std::move(repair));
+  if (is_built_in(source)) {
+    if (cell.lattice) {
+      throw remesh::InvalidOption(source +
+                                  " has a cell of its own, or none; --cell and --box "
+                                  "belong to mesh files and formulas");
+    }
+    return {.mesh = make_fine_shape(parse_shape(source), shell, cell.supercell)};
+  }
+  if (source.starts_with(formula_prefix)) {
+    return formula_surface(source.substr(formula_prefix.size()), shell, cell);
+  }
+  return in_cell(repair_surface(read_soup(source), shell, std::move(repair)), cell);
 }
 
 }  // namespace trivalent::shell

@@ -1,5 +1,6 @@
 #include "crystal/membrane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -12,9 +13,33 @@ double Membrane::hinge_stiffness() const {
   return dihedral / (height * height);
 }
 
+namespace {
+
+/// The inner radius of a regular ring of equal bonds, over that of a hexagon, less 1.
+double widening(int deviation) {
+  constexpr int fewest = -3;  // triangles
+  static const std::array<double, 16> by_deviation = [] {
+    std::array<double, 16> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const double size = 6.0 + fewest + static_cast<double>(i);
+      table[i] = std::tan(std::numbers::pi / 6.0) / std::tan(std::numbers::pi / size) - 1.0;
+    }
+    return table;
+  }();
+  const int last = static_cast<int>(by_deviation.size()) - 1;
+  return by_deviation[static_cast<std::size_t>(std::clamp(deviation - fewest, 0, last))];
+}
+
+}  // namespace
+
+double Membrane::rest_length(int deviation_a, int deviation_b) const {
+  return length * (1.0 + 0.5 * ring_width * (widening(deviation_a) + widening(deviation_b)));
+}
+
 double Membrane::core_energy(int deviation) const {
   constexpr double crowded = 6.0;  // [eV] for each step beyond 5 and 7
   if (deviation == 0) return 0.0;
+  if (deviation == 2) return octagon;
   const int steps = std::abs(deviation);
   const double core = deviation < 0 ? pentagon : heptagon;
   return steps * core + crowded * (steps - 1);
@@ -47,24 +72,25 @@ struct Evaluation {
 
   struct HingeStiffness {
     Scalar stretching;
-    Scalar rest;
     Scalar bending;
   };
   static constexpr std::size_t at_once = 4;
 
-  /// ½ k (|b - a| - L)² and ½ k |c + d - a - b|² of four hinges at once: roots and quotients take
+  /// ½ k (|b - a| - L_e)² and ½ k |c + d - a - b|² of four hinges at once: roots and quotients take
   /// longest.
   [[gnu::always_inline]] Scalar bend(std::span<const Hinge, at_once> hinges,
                                      const HingeStiffness& k) const {
     std::array<Lanes<Scalar>, at_once> edges;
     Eigen::Matrix<Scalar, 4, at_once> squares;
+    Lanes<Scalar> rest;
     for (std::size_t i = 0; i < at_once; ++i) {
       edges[i] = position(hinges[i].b) - position(hinges[i].a);
       squares.col(static_cast<Eigen::Index>(i)) = edges[i].cwiseAbs2();
+      rest[static_cast<Eigen::Index>(i)] = static_cast<Scalar>(hinges[i].rest);
     }
     squares.transposeInPlace();
     const Lanes<Scalar> r = ((squares.col(0) + squares.col(1)) + squares.col(2)).cwiseSqrt();
-    const Lanes<Scalar> stretch = r.array() - k.rest;
+    const Lanes<Scalar> stretch = r - rest;
     const Lanes<Scalar> pull = k.stretching * stretch.array() / (r.array() + Scalar(1e-12));
     Lanes<Scalar> bend = Lanes<Scalar>::Zero();
     for (std::size_t i = 0; i < at_once; ++i) {
@@ -89,7 +115,8 @@ struct Evaluation {
     slope(h.b) -= force;
     slope(h.c) += force;
     slope(h.d) += force;
-    return Scalar(0.5) * k.bending * q.squaredNorm() + spring(h.a, h.b, k.stretching, k.rest);
+    return Scalar(0.5) * k.bending * q.squaredNorm() +
+           spring(h.a, h.b, k.stretching, static_cast<Scalar>(h.rest));
   }
 
   Scalar bend(const std::vector<Hinge>& hinges, const HingeStiffness& k) const {
@@ -136,7 +163,7 @@ Scalar membrane_energy(const Membrane& membrane, const MembraneTerms<Scalar>& te
   const auto repulsion = static_cast<Scalar>(membrane.repulsion);
   const auto nearest = static_cast<Scalar>(membrane.contact_distance());
   const auto reach = static_cast<Scalar>(membrane.cover_distance());
-  Scalar energy = at.bend(terms.hinges, {.stretching = k, .rest = rest, .bending = hinge});
+  Scalar energy = at.bend(terms.hinges, {.stretching = k, .bending = hinge});
   for (const auto& [a, b] : terms.edges) energy += at.spring(a, b, k, rest);
   for (const auto& [a, b] : terms.contacts) energy += at.avoid(a, b, repulsion, nearest);
   for (const Tether<Scalar>& t : terms.tethers) energy += at.hold(t);

@@ -8,7 +8,7 @@ namespace trivalent::remesh {
 
 /// A triangulated membrane with the stiffnesses of graphene [Seung1988], in Å and eV:
 ///
-/// E = ½ k Σ (|e| - L)²                      stretching, over edges
+/// E = ½ k Σ (|e| - L_e)²                    stretching, over edges
 ///   + ½ (κ_d/h²) Σ |c + d - a - b|²         bending, over edges a-b with opposite corners c, d
 ///   + ½ k_r Σ (r0 - r)²                     self-avoidance, over pairs nearer than r0 that are no
 ///                                           edge [Kantor1986]
@@ -17,8 +17,8 @@ namespace trivalent::remesh {
 ///                                           their vertex, each for w vertices' area
 ///   + Σ core(valence) + λ (N - N0)²         N vertices
 ///
-/// k, κ and k_t are the same for every L: those of the continuum. The last two terms are not
-/// functions of positions.
+/// k, κ and k_t are the same for every L: those of the continuum. L_e is L between hexagons, and
+/// the more the wider the rings at its ends are. The last two terms are not functions of positions.
 struct Membrane {
   static constexpr double fine_length = 2.46;  ///< m [Å]
   static constexpr double bending = 1.4;       ///< κ [eV]
@@ -31,9 +31,15 @@ struct Membrane {
   double repulsion = 13.0;      ///< k_r [eV/Å²]
   double pentagon = 1.0;        ///< core energy [eV]
   double heptagon = -2.1;       ///< core energy [eV]
-  double count = 0.0;           ///< λ [eV]
+  double octagon = 1.8;         ///< core energy [eV]
+  /// How much of the difference of a ring's inner radius from that of a hexagon its edges follow:
+  /// 0 to 1.
+  double ring_width = 0.0;
+  double count = 0.0;  ///< λ [eV]
 
   [[nodiscard]] double coarseness() const { return length / fine_length; }
+  /// L_e [Å] of an edge between vertices whose valences - 6 are these.
+  [[nodiscard]] double rest_length(int deviation_a, int deviation_b) const;
   /// κ_d/h² [eV/Å²] with κ_d = 2κ/√3 and h = √3 L/2.
   [[nodiscard]] double hinge_stiffness() const;
   /// r0 [Å]: below it no vertex passes through a triangle.
@@ -50,9 +56,10 @@ struct Membrane {
 template <typename Scalar>
 using Lanes = Eigen::Matrix<Scalar, 4, 1>;
 
-/// An edge a-b and the corners opposite to it.
+/// An edge a-b, the corners opposite to it, and the edge's length at rest [Å].
 struct Hinge {
   int a, b, c, d;
+  float rest = static_cast<float>(Membrane::fine_length);
 };
 
 /// Holds vertex i to a plane.

@@ -156,6 +156,9 @@ MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
     if (!lattice.is_periodic()) return b.idx();
     return images.number(b.idx(), lattice.image_of(position_beside(mesh, a, b) - mesh.point(b)));
   };
+  const auto deviation_of = [&](VertexHandle v) {
+    return static_cast<int>(mesh.valence(v)) - (mesh.is_boundary(v) ? 4 : 6);
+  };
   MembraneTerms<double> terms;
   const double per_area = membrane_.coarseness() * membrane_.coarseness();
   for (const auto e : mesh.edges()) {
@@ -165,8 +168,9 @@ MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
     if (e.is_boundary() || constrained_.curve_of(e)) {
       terms.edges.push_back({a.idx(), b});
     } else {
-      terms.hinges.push_back(
-          {a.idx(), b, beside(a, h.next().to()), beside(a, h.opp().next().to())});
+      const double rest = membrane_.rest_length(deviation_of(a), deviation_of(h.to()));
+      terms.hinges.push_back({a.idx(), b, beside(a, h.next().to()), beside(a, h.opp().next().to()),
+                              static_cast<float>(rest)});
     }
   }
   for (const auto v : mesh.vertices()) {

@@ -129,6 +129,14 @@ Lattice::Image MembranePatch::image_beside(int i, int j) const {
   return lattice_->image_of(lattice_->nearest(away) - away);
 }
 
+float MembranePatch::rest_length(int a, int b) const {
+  // Where one-rings are not known, edges stay as they are.
+  const auto deviation = [&](int i) {
+    return topology_.valence(i) > 0 ? topology_.deviation(i) : 0;
+  };
+  return static_cast<float>(membrane_->rest_length(deviation(a), deviation(b)));
+}
+
 bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images) const {
   const bool is_periodic = lattice_->is_periodic();
   const auto moves = [&](int i) { return i >= 0 && i < topology_.inner_count(); };
@@ -145,7 +153,7 @@ bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images
       if (c < 0 || d < 0 || topology_.is_rigid(a, b)) {
         terms.edges.push_back({a, is_periodic ? images.number(b, image_beside(a, b)) : b});
       } else if (!is_periodic) {
-        terms.hinges.push_back({a, b, c, d});
+        terms.hinges.push_back({a, b, c, d, rest_length(a, b)});
       } else {
         const Lattice::Image to_b = image_beside(a, b);
         const Lattice::Image to_c = image_beside(a, c);
@@ -156,8 +164,8 @@ bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images
               separation(b, opposite) + lattice_->translation(image) - lattice_->translation(to_b);
           if (!lattice_->is_nearest(side)) return false;
         }
-        terms.hinges.push_back(
-            {a, images.number(b, to_b), images.number(c, to_c), images.number(d, to_d)});
+        terms.hinges.push_back({a, images.number(b, to_b), images.number(c, to_c),
+                                images.number(d, to_d), rest_length(a, b)});
       }
     }
   }

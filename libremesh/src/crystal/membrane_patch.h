@@ -58,6 +58,7 @@ class MembranePatch {
   /// None where an edge has become too long for the lattice.
   [[nodiscard]] std::optional<MembraneTerms<float>> terms(VertexImages& images) const;
   bool add_hinges(MembraneTerms<float>& terms, VertexImages& images) const;
+  [[nodiscard]] float rest_length(int a, int b) const;
   [[nodiscard]] Eigen::Vector3d separation(int i, int j) const {
     return (x_[at(j)] - x_[at(i)]).cast<double>().head<3>();
   }

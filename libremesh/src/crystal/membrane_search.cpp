@@ -21,21 +21,25 @@ namespace {
 /// One annealing, at one edge length.
 struct Level {
   int coarseness;  ///< edge length / target length
-  /// [eV] of cores: at the target length fitted to REBO; a disclination gains about (π/3) κ ln 2 ≈
-  /// 1 of bending energy on each division.
+  /// [eV] of cores. At the target length they and the width of rings are fitted to REBO's energies
+  /// of icosahedral fullerenes, tori and schwarzites. At coarse lengths rings have no width; on
+  /// each division a disclination gains about (π/3) κ ln 2 ≈ 1 of bending energy.
   double pentagon;
   double heptagon;
+  double octagon;
+  double ring_width;    ///< of Membrane
   double min_vertices;  ///< of a first net: it needs room for patches
   /// How a net freezes is luck, so that a small one is ordered up to so many times, and the order
   /// of least energy is taken.
   int max_orders;
   double vertex_rounds;  ///< vertices · rounds of all orders together, within the limits
   double max_rounds;     ///< of one order: on small nets several short ones find more
+  double hot;            ///< [eV] temperature at which an order begins
 };
-constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 300, 2, 1.5e6, 5000},
-                                          {4, 2.8, -0.3, 300, 2, 1.5e6, 5000},
-                                          {2, 1.9, -1.2, 150, 2, 4.0e6, 5000},
-                                          {1, 1.0, -2.1, 0, 16, 5.8e6, 1200}}};
+constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 7.2, 0.0, 300, 2, 1.5e6, 5000, 4.0},
+                                          {4, 2.8, -0.3, 5.4, 0.0, 300, 2, 1.5e6, 5000, 4.0},
+                                          {2, 1.9, -1.2, 3.6, 0.0, 150, 2, 4.0e6, 5000, 4.0},
+                                          {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0}}};
 
 /// Temperatures [eV] and rounds of an annealing.
 struct Schedule {
@@ -43,8 +47,7 @@ struct Schedule {
   double cold;
   int rounds;
 };
-/// The first net orders as a whole: hot and slow.
-constexpr double ordering_hot = 4.0;
+/// The first net orders as a whole: slowly.
 constexpr double ordering_cold = 0.1;
 constexpr double min_ordering_rounds = 1200.0;
 /// The order of a coarse net still has pairs to lose at half its length.
@@ -79,7 +82,7 @@ OrderPlan plan_order(const Level& level, double vertices, Effort effort) {
                          : static_cast<int>(std::clamp(affordable, 1.0, 1.0 * level.max_orders));
   const double rounds =
       std::clamp(level.vertex_rounds / (vertices * orders), min_ordering_rounds, level.max_rounds);
-  return {orders, {.hot = ordering_hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)}};
+  return {orders, {.hot = level.hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)}};
 }
 
 /// How a net goes on after a division into a level.
@@ -224,6 +227,8 @@ class MembraneSearch {
     membrane.slack = bond.slack;
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
+    membrane.octagon = level.octagon;
+    membrane.ring_width = level.ring_width;
     // 0.02 lets small nets lose a fifth of their vertices; 0.3 + 60/V leaves nets of 120 one short.
     membrane.count = 0.3 + 240.0 / n_vertices();
     return membrane;

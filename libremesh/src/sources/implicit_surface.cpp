@@ -80,7 +80,7 @@ class Polygonizer {
       : surface_(surface), grid_(grid), unit_(grid.unit()) {}
 
   TriMesh run() {
-    if (surface_.lattice.is_periodic()) {
+    if (grid_.size != Site{0, 0, 0}) {
       list_all_cubes();
     } else {
       const double longest = surface_.box.longest_side() / unit_;
@@ -335,9 +335,12 @@ void even_out(TriMesh& mesh, const ImplicitSurface& surface, double edge_length)
 
 TriMesh polygonize(const ImplicitSurface& surface, double edge_length) {
   const double unit = edge_length / edge_per_unit;
-  const Grid grid = surface.lattice.is_periodic() ? grid_in(surface.lattice, unit)
-                                                  : grid_around(surface.box, unit);
+  const Grid grid = surface.lattice.cell().isZero(0.0) ? grid_around(surface.box, unit)
+                                                       : grid_in(surface.lattice, unit);
   TriMesh mesh = Polygonizer(surface, grid).run();
+  if (std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); })) {
+    throw InvalidMesh("polygonize: the surface leaves the box; make the box larger");
+  }
   even_out(mesh, surface, edge_length);
   return mesh;
 }

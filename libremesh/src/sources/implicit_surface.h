@@ -13,8 +13,8 @@ struct ImplicitSurface {
   /// near the surface only.
   std::function<double(const Eigen::Vector3d&)> value;
   BoundingBox box = {};  ///< holds a free, closed surface with room on all sides
-  /// Of a periodic surface. Along vectors that are not periodic, the surface lies between -1/2 and
-  /// 1/2 of them.
+  /// If it has a cell, that is triangulated instead of the box. Along vectors that are not
+  /// periodic, the surface lies between -1/2 and 1/2 of them.
   Lattice lattice = {};
 };
 
@@ -25,7 +25,7 @@ struct ImplicitSurface {
 /// lattice the grid is stretched to fit the cell. The grid must resolve the surface: edge_length
 /// well below every feature and radius of it.
 ///
-/// @throws InvalidMesh if there is no surface, or the grid is too coarse for it.
+/// @throws InvalidMesh if there is no surface, it leaves the box, or the grid is too coarse for it.
 ///
 /// Cost: O(n) for n faces.
 [[nodiscard]] TriMesh polygonize(const ImplicitSurface& surface, double edge_length);

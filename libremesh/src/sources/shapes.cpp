@@ -20,6 +20,7 @@ const std::vector<BuiltInShape>& shape_table() {
   static const ShapeParameter major{"R", 1.0, "radius of the center line"};
   static const ShapeParameter minor{"r", 0.4, "radius of the tube"};
   static const ShapeParameter cell{"a", 1.0, "edge of the cell"};
+  constexpr double necks = 20.0;  // a cell has several
   static const std::vector<BuiltInShape> table = {
       {{"sphere", "sphere", {radius}}, sphere},
       {{"ellipsoid",
@@ -48,12 +49,15 @@ const std::vector<BuiltInShape>& shape_table() {
          {"amplitude", 0.1, "amplitude; may be 0 or negative"},
          {"wavelength", 1.0, "wavelength along x and y"}}},
        wavy_sheet},
-      {{"schwarz-p", "periodic: Schwarz' P surface in its cubic cell", {cell}}, schwarz_p},
-      {{"schwarz-d", "periodic: Schwarz' D surface in a cubic cell of two by two by two", {cell}},
+      {{"schwarz-p", "periodic: Schwarz' P surface in its cubic cell", {cell}, necks}, schwarz_p},
+      {{"schwarz-d",
+        "periodic: Schwarz' D surface in a cubic cell of two by two by two",
+        {cell},
+        necks},
        schwarz_d},
-      {{"gyroid", "periodic: Schoen's gyroid in its cubic cell", {cell}}, gyroid},
-      {{"i-wp", "periodic: Schoen's I-WP surface in its cubic cell", {cell}}, i_wp},
-      {{"neovius", "periodic: Neovius' surface in its cubic cell", {cell}}, neovius},
+      {{"gyroid", "periodic: Schoen's gyroid in its cubic cell", {cell}, necks}, gyroid},
+      {{"i-wp", "periodic: Schoen's I-WP surface in its cubic cell", {cell}, necks}, i_wp},
+      {{"neovius", "periodic: Neovius' surface in its cubic cell", {cell}, necks}, neovius},
       {{"plane",
         "periodic along x and y: flat sheet, the cell a parallelogram",
         {{"a", 1.0, "length along x"},

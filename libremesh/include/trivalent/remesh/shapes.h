@@ -20,6 +20,7 @@ struct ShapeDescription {
   std::string name;
   std::string meaning;
   std::vector<ShapeParameter> parameters;
+  double coarsest = 10.0;  ///< edges along the smallest parameter that show the topology
 };
 
 /// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube and

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,14 +46,38 @@ struct Surface {
                                      const dual::ShellOptions& shell,
                                      remesh::RepairOptions repair = {});
 
-/// Reads a mesh file and repairs it, or makes a built-in shape of triangles about half as long as
-/// the shell's, so that it looks smooth to the shell.
+/// The cell of a surface, in its own unit.
+struct CellOptions {
+  /// Of which a mesh file shows one cell, or under which a formula repeats. For a formula without
+  /// periodic directions, the box around its closed surface.
+  std::optional<remesh::Lattice> lattice = {};
+  double level = 0.0;                        ///< value of a formula on the surface
+  std::array<int, 3> supercell = {1, 1, 1};  ///< cells along each vector, >= 1
+};
+
+/// Reads a cell: a, or a,b,c or a,b,c,alpha,beta,gamma, lengths in the surface's unit, angles in
+/// degree; each a formula such as 2*pi. a lies along x, b in the xy plane.
 ///
-/// @param source  a path, "-" for standard input, or a built-in shape as parse_shape() takes it
+/// @throws remesh::InvalidOption if it is no such cell, or has no volume.
+[[nodiscard]] remesh::Lattice::Cell parse_cell(const std::string& text);
+
+/// What marks a source as a formula of x, y and z.
+inline constexpr std::string_view formula_prefix = "formula:";
+
+/// Reads a mesh file and repairs it, or makes a built-in shape or a formula's surface of triangles
+/// about half as long as the shell's, so that it looks smooth to the shell.
+///
+/// @param source  a path, "-" for standard input, a built-in shape as parse_shape() takes it, or
+///   formula_prefix and a formula
 /// @param repair  its edge_length_on is set here
 /// @throws remesh::FileError, remesh::InvalidMesh if no surface results
 /// @throws remesh::InvalidOption, dual::InvalidOption if an option is out of its range
 [[nodiscard]] Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
-                                   remesh::RepairOptions repair = {});
+                                   remesh::RepairOptions repair = {}, const CellOptions& cell = {});
+
+/// Joins a mesh that shows one cell, if a cell is given, and repeats it.
+///
+/// @throws as remesh::joined_in_cell() and remesh::repeated().
+[[nodiscard]] Surface in_cell(Surface surface, const CellOptions& cell);
 
 }  // namespace trivalent::shell

@@ -1,0 +1,52 @@
+#include "cell_options.h"
+
+#include <algorithm>
+
+namespace trivalent::apps {
+
+void add_cell_options(po::options_description& options) {
+  const shell::CellOptions defaults;
+  options.add_options()  //
+      ("cell", po::value<std::string>(),
+       "a[,b,c[,alpha,beta,gamma]]: the periodic cell of a formula, or of a mesh file that shows one "
+       "cell and is open where it goes on in the next; lengths in the input's unit, angles in "
+       "degree, formulas allowed: 2*pi")  //
+      ("formula", po::value<std::string>(),
+       "in place of SHAPE: the surface where a function of x, y and z has the value --level, such as "
+       "\"cos(x)+cos(y)+cos(z)\"")  //
+      ("level", with_default(defaults.level),
+       "value of the formula on the surface; it is lower inside")  //
+      ("box", po::value<std::string>(),
+       "a[,b,c]: box around the origin that holds the closed surface of a formula")  //
+      ("supercell", po::value<std::vector<int>>()->multitoken(),
+       "a b c: build so many cells along each cell vector");
+}
+
+shell::CellOptions cell_options(const Session& session) {
+  shell::CellOptions options;
+  const auto cell = session.find<std::string>("cell");
+  const auto box = session.find<std::string>("box");
+  if (cell && box) throw UsageError("--cell is for periodic surfaces, --box for closed ones");
+  if (box && !session.has("formula")) throw UsageError("--box belongs to --formula");
+  if (cell) options.lattice = remesh::Lattice(shell::parse_cell(*cell), {true, true, true});
+  if (box) options.lattice = remesh::Lattice(shell::parse_cell(*box), {false, false, false});
+  options.level = session.get<double>("level");
+  if (const auto times = session.find<std::vector<int>>("supercell")) {
+    if (times->size() != options.supercell.size()) {
+      throw UsageError("--supercell takes three numbers, one for each cell vector");
+    }
+    std::ranges::copy(*times, options.supercell.begin());
+  }
+  return options;
+}
+
+std::string surface_name(const Session& session) {
+  const auto shape = session.find<std::string>("SHAPE");
+  const auto formula = session.find<std::string>("formula");
+  if (shape && formula) throw UsageError("give SHAPE or --formula, not both");
+  if (formula) return std::string(shell::formula_prefix) + *formula;
+  if (!shape) throw UsageError("missing SHAPE, or --formula");
+  return *shape;
+}
+
+}  // namespace trivalent::apps

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// The periodic surface of which a free mesh shows one cell: joins boundary vertices that are images
+/// of each other. Edges that are long for the lattice are halved first.
+///
+/// @param mesh  Its open boundaries lie where it goes on in the next cell.
+/// @throws InvalidMesh if a boundary vertex has no partner, or more than one; the message says where,
+///   and how far off the nearest image of another boundary vertex is.
+[[nodiscard]] TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice);
+
+/// A supercell: the surface in a cell so many times as long.
+///
+/// @param times  Along each cell vector, >= 1; 1 where nothing is periodic.
+/// @throws InvalidOption if a number is out of its range, or the supercell would have more than
+///   max_faces.
+[[nodiscard]] TriMesh repeated(const TriMesh& mesh, const std::array<int, 3>& times);
+
+}  // namespace trivalent::remesh

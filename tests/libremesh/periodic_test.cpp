@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "mesh/geometry.h"
+#include "mesh/self_intersections.h"
+#include "mesh/surface_projector.h"
+#include "mesh_fixtures.h"
+#include "trivalent/remesh/crystallize.h"
+#include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/polygon_soup.h"
+#include "trivalent/remesh/shapes.h"
+
+namespace trivalent::remesh {
+namespace {
+
+using testing_support::euler_characteristic;
+using testing_support::is_closed;
+
+struct Expected {
+  std::string name;
+  int euler_characteristic;
+  double area;      // of a cell of edge 1
+  double tolerance; // relative
+};
+// Areas of the minimal surfaces P, D (2 x 2 x 2 cells), G; nodal ones differ a little.
+const std::vector<Expected> shapes = {{"schwarz-p", -4, 2.3451, 0.01},
+                                      {"schwarz-d", -16, 3.8377, 0.01},
+                                      {"gyroid", -8, 3.0915, 0.01},
+                                      {"i-wp", -12, 3.464, 0.02},
+                                      {"neovius", -16, 3.51, 0.02},
+                                      {"plane", 0, 1.0, 1e-12},
+                                      {"periodic-tube", 0, 4.0 * std::numbers::pi, 0.01}};
+
+TEST(PeriodicShapes, HaveTheTopologyAndAreaOfTheirNames) {
+  for (const auto& [name, euler, area, tolerance] : shapes) {
+    for (const double edge_length : {0.05, 0.037, 0.025}) {
+      const TriMesh mesh = make_shape(name, {}, edge_length);
+      EXPECT_TRUE(mesh.lattice.is_periodic());
+      EXPECT_TRUE(is_closed(mesh)) << name;
+      EXPECT_EQ(euler_characteristic(mesh), euler) << name << ' ' << edge_length;
+      EXPECT_NEAR(mean_edge_length(mesh), edge_length, 0.25 * edge_length) << name;
+      EXPECT_EQ(measure_quality(mesh).self_intersections, 0) << name;
+      // Chords cut a curved surface's area.
+      const double cut = 3.0 * edge_length * edge_length;
+      EXPECT_NEAR(surface_area(mesh), area, (tolerance + (tolerance > 1e-9 ? cut * 5.0 : 0.0)) * area)
+          << name;
+    }
+  }
+}
+
+TEST(PeriodicShapes, LookOutwardsWhereTheFunctionGrows) {
+  const TriMesh plane = make_shape("plane", {{"gamma", 60.0}}, 0.1);
+  for (const auto f : plane.faces()) EXPECT_NEAR(face_normal(plane, f).z(), 1.0, 1e-9);
+  EXPECT_NEAR(surface_area(plane), std::sin(std::numbers::pi / 3.0), 1e-9);
+}
+
+TEST(PeriodicSurface, NearestPointsAreThoseOfAllImages) {
+  const TriMesh cell = make_shape("gyroid", {}, 0.05);
+  const SurfaceProjector periodic(cell);
+  // The same with free copies of the cell around it, every triangle by itself.
+  const TriangleSoup soup = soup_of(cell);
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<Eigen::Vector3d> translations = cell.lattice.translations_within(1.0);
+  translations.emplace_back(0.0, 0.0, 0.0);
+  for (const Eigen::Vector3d& t : translations) {
+    for (const auto& triangle : soup.triangles) {
+      const int first = static_cast<int>(points.size());
+      for (const int v : triangle) points.push_back(soup.points[static_cast<std::size_t>(v)] + t);
+      triangles.push_back({first, first + 1, first + 2});
+    }
+  }
+  const SurfaceProjector free(make_mesh(points, triangles));
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> fraction(0.0, 1.0);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3d p(fraction(random), fraction(random), fraction(random));
+    const Eigen::Vector3d elsewhere = p + cell.lattice.translation({3, -2, 1});
+    EXPECT_NEAR(periodic.distance(elsewhere), free.distance(p), 1e-9);
+    const SurfacePoint foot = periodic.nearest(elsewhere);
+    EXPECT_NEAR((foot.position - elsewhere).norm(), free.distance(p), 1e-9);
+    const SurfacePoint walked = periodic.walk_towards(foot.position, foot.face);
+    EXPECT_LT((walked.position - foot.position).norm(), 1e-9);
+    // Interpolated between vertices, and of the face alone.
+    EXPECT_GT(periodic.normal(foot).dot(free.normal(free.nearest(p))), 0.8);
+  }
+}
+
+TEST(PeriodicSurface, CrossingsAreSeenThroughTheCellsFaces) {
+  // Two tubes side by side in a cell, the one nearer to the image of the other than to itself.
+  const auto tubes_apart = [](double gap) {
+    const TriMesh tube = make_shape("periodic-tube", {{"radius", 0.5}, {"length", 1.0}}, 0.1);
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::array<int, 3>> triangles;
+    for (const double x : {0.5, 1.6}) {
+      const int first = static_cast<int>(points.size());
+      for (const auto v : tube.vertices()) {
+        points.push_back(tube.point(v) + Eigen::Vector3d(x, 0.0, 0.0));
+      }
+      for (auto triangle : triangles_of(tube)) {
+        for (int& v : triangle) v += first;
+        triangles.push_back(triangle);
+      }
+    }
+    TriMesh mesh = make_mesh(points, triangles);
+    Lattice::Cell cell = tube.lattice.cell();
+    cell.col(0) = Eigen::Vector3d(2.1 + gap, 0.0, 0.0);
+    mesh.lattice = Lattice(cell, {true, false, true});
+    return mesh;
+  };
+  EXPECT_EQ(find_crossing_faces(tubes_apart(0.1)).count, 0u);
+  const CrossingFaces crossing = find_crossing_faces(tubes_apart(-0.05), 1000);
+  EXPECT_GT(crossing.count, 0u);
+  EXPECT_EQ(crossing.first.size(), crossing.count) << "each pair once, by faces of the cell";
+  for (const auto& [a, b] : crossing.first) {
+    EXPECT_NE(a, b);
+    EXPECT_LT(static_cast<std::size_t>(b), tubes_apart(0.1).n_faces());
+  }
+}
+
+TEST(PeriodicSurface, RemeshingKeepsTheTopologyByBothMethods) {
+  const TriMesh surface = make_shape("schwarz-p", {}, 0.05);
+  for (const RemeshMethod& method :
+       std::vector<RemeshMethod>{RemeshOptions{}, CrystalOptions{.effort = Effort::quick},
+                                 CrystalOptions{.effort = Effort::quick, .rest = NetRest::in_space}}) {
+    const RemeshResult net = remesh_by(surface, method, 0.15);
+    EXPECT_EQ(euler_characteristic(net.mesh), -4);
+    EXPECT_TRUE(is_closed(net.mesh));
+    EXPECT_NEAR(mean_edge_length(net.mesh), 0.15, 0.1 * 0.15);
+    EXPECT_LT(net.relative_spread, 0.15);
+    const MeshQuality quality = measure_quality(net.mesh);
+    EXPECT_EQ(quality.self_intersections, 0);
+    EXPECT_LT(measure_distance(net.mesh, surface).to_original.max, 0.15);
+  }
+}
+
+TEST(PeriodicSurface, AFlatCellBecomesAPerfectNet) {
+  // 10 by 6 rectangles of √3 edges of equilateral triangles.
+  const TriMesh surface = make_shape("plane", {{"a", 10.0}, {"b", 6.0 * std::numbers::sqrt3}}, 0.5);
+  const RemeshResult net =
+      crystallize(surface, {.target_edge_length = 1.0, .rest = NetRest::in_space});
+  EXPECT_EQ(net.regular_fraction, 1.0);
+  EXPECT_EQ(net.mesh.n_faces(), 240u);
+  EXPECT_LT(net.relative_spread, 1e-3);
+}
+
+TEST(PeriodicSurface, TooSmallACellIsRefused) {
+  const TriMesh surface = make_shape("schwarz-p", {}, 0.05);
+  try {
+    static_cast<void>(remesh(surface, {.target_edge_length = 0.3}));
+    FAIL();
+  } catch (const InvalidOption& error) {
+    EXPECT_NE(std::string(error.what()).find("use at most 0.25, or a supercell"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(static_cast<void>(remesh(surface, {.target_edge_length = 0.1, .feature_angle = 0.5})),
+               InvalidOption);
+}
+
+TEST(SoupOf, CutsOneCellOpen) {
+  const TriMesh mesh = make_shape("schwarz-p", {}, 0.05);
+  const TriangleSoup soup = soup_of(mesh);
+  EXPECT_EQ(soup.triangles.size(), mesh.n_faces());
+  EXPECT_GT(soup.points.size(), mesh.n_vertices());
+  double area = 0.0;
+  for (const auto& [a, b, c] : soup.triangles) {
+    const auto at = [&](int v) { return soup.points[static_cast<std::size_t>(v)]; };
+    area += 0.5 * doubled_area_vector(at(a), at(b), at(c)).norm();
+  }
+  EXPECT_NEAR(area, surface_area(mesh), 1e-9);
+}
+
+}  // namespace
+}  // namespace trivalent::remesh
