@@ -8,11 +8,13 @@ void add_cell_options(po::options_description& options) {
   const shell::CellOptions defaults;
   options.add_options()  //
       ("cell", po::value<std::string>(),
-       "a[,b,c[,alpha,beta,gamma]]: the periodic cell of a formula, or of a mesh file that shows one "
+       "a[,b,c[,alpha,beta,gamma]]: the periodic cell of a formula, or of a mesh file that shows "
+       "one "
        "cell and is open where it goes on in the next; lengths in the input's unit, angles in "
        "degree, formulas allowed: 2*pi")  //
       ("formula", po::value<std::string>(),
-       "in place of SHAPE: the surface where a function of x, y and z has the value --level, such as "
+       "in place of SHAPE: the surface where a function of x, y and z has the value --level, such "
+       "as "
        "\"cos(x)+cos(y)+cos(z)\"")  //
       ("level", with_default(defaults.level),
        "value of the formula on the surface; it is lower inside")  //

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <set>
 
 #include "small_meshes.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::dual {
 namespace {
@@ -39,6 +41,34 @@ TEST(BuildDual, ListsEveryBondOnceWithTheSmallerAtomFirst) {
   const std::vector<std::array<int, 2>> bonds = drawable_bonds(network);
   EXPECT_EQ(std::set(bonds.begin(), bonds.end()).size(), network.bonds.size());
   for (const auto& [first, second] : bonds) EXPECT_LT(first, second);
+}
+
+TEST(BuildDual, BondsAndRingsGoOnThroughTheCell) {
+  const remesh::TriMesh mesh = remesh::make_shape("gyroid", {}, 0.05);
+  const Structure structure = build_dual(mesh);
+  EXPECT_TRUE(structure.atoms.box.cell.isApprox(Eigen::Matrix3d::Identity()));
+  std::size_t through = 0;
+  for (const potentials::Bond& bond : structure.bonds) {
+    EXPECT_LT(potentials::bond_length(structure.atoms, bond), 0.1);
+    if (bond.image != std::array<std::int32_t, 3>{0, 0, 0}) ++through;
+  }
+  EXPECT_GT(through, 0u);
+  EXPECT_LT(drawable_rings(structure).size(), structure.rings.size());
+  for (const Eigen::Vector3d& p : structure.atoms.positions) {
+    EXPECT_TRUE((p.array() >= 0.0).all() && (p.array() < 1.0).all());
+  }
+}
+
+TEST(BuildDual, FramesWhatIsNotPeriodic) {
+  const Structure tube = build_dual(remesh::make_shape("periodic-tube", {}, 0.2));
+  const potentials::Box& box = tube.atoms.box;
+  EXPECT_EQ(box.periodic, (std::array{false, false, true}));
+  EXPECT_GT(box.cell.determinant(), 0.0);
+  EXPECT_DOUBLE_EQ(box.cell(2, 2), 2.0);
+  for (const Eigen::Vector3d& p : tube.atoms.positions) {
+    const Eigen::Array3d fractions = box.cell.inverse() * (p - box.origin);
+    EXPECT_TRUE((fractions >= 0.0).all() && (fractions < 1.0).all());
+  }
 }
 
 TEST(BuildDual, OrdersRingsAlongBonds) {

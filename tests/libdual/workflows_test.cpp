@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_io.h"
 #include "trivalent/shell/atom_groups.h"
 #include "trivalent/shell/build.h"
 #include "trivalent/shell/build_files.h"
@@ -133,6 +135,107 @@ TEST(Build, SaysWhereTheEnergySitsAndHowFarTheShellIs) {
               result.relaxation.displacement_largest);
   EXPECT_EQ(result.json()["relaxation"]["distance"]["max"], result.distance_at_rest->max());
   EXPECT_EQ(result.json()["energy"]["budget"]["total"], budget.total);
+}
+
+TEST(Build, AFlatCellBecomesGraphene) {
+  // 12 edges by 14 rows of triangles.
+  BuildOptions options = small_build();
+  options.shell.size = dual::AtomCount{336};
+  const std::string cell = "plane:a=12,b=12.12435565";
+  const BuildResult result = build(read_surface(cell, options.shell), options);
+  EXPECT_EQ(result.network.ring_excess, 0);
+  EXPECT_NEAR(result.energy.energy, 336.0 * dual::graphene_energy, 336.0 * 1e-6);
+  EXPECT_LT(result.network.bond_max - result.network.bond_min, 1e-3);
+  EXPECT_NEAR(result.network.bond_mean, 1.42039, 1e-4);
+  const Certificate certificate = certify(result.structure());
+  EXPECT_TRUE(certificate.is_sound()) << certificate.json().dump(2);
+  const Json json = result.json();
+  EXPECT_EQ(json["cell"]["periodic"], Json({true, true, false}));
+  EXPECT_EQ(json["cell"]["genus"], 1);
+  EXPECT_TRUE(json["cell"]["density"].is_null());
+}
+
+TEST(Build, ASchwarziteGoesOnThroughItsCell) {
+  BuildOptions options = small_build();
+  options.shell.size = dual::AtomCount{432};
+  const BuildResult result = build(read_surface("schwarz-p", options.shell), options);
+  EXPECT_EQ(result.network.ring_excess, -24);  // 6 χ
+  EXPECT_TRUE(result.network.is_trivalent());
+  EXPECT_TRUE(result.relaxation.bonds.broken.empty());
+  EXPECT_TRUE(result.relaxation.bonds.formed.empty());
+  const dual::Structure structure = result.structure();
+  for (const bool along : structure.atoms.box.periodic) EXPECT_TRUE(along);
+  // Bonds and rings are those that distances give.
+  const Certificate certificate = certify(structure);
+  EXPECT_TRUE(certificate.is_sound()) << certificate.json().dump(2);
+  EXPECT_EQ(certificate.shell.euler_characteristic(), -4);
+  // The cell itself is at rest: no stress is left.
+  EXPECT_LT(result.energy.virial.norm() / structure.atoms.box.cell.determinant(), 1e-3);
+}
+
+TEST(ReadSurface, TakesFormulasInACell) {
+  const dual::ShellOptions shell = {.size = dual::AtomCount{432}};
+  CellOptions cell = {.lattice = remesh::Lattice(parse_cell("2*pi"), {true, true, true})};
+  const auto euler = [](const remesh::TriMesh& mesh) {
+    return static_cast<int>(mesh.n_vertices() + mesh.n_faces()) - static_cast<int>(mesh.n_edges());
+  };
+  const std::string formula = "formula:cos(x)+cos(y)+cos(z)";
+  const Surface surface = read_surface(formula, shell, {}, cell);
+  EXPECT_EQ(euler(surface.mesh), -4);
+  EXPECT_TRUE(surface.notes.empty());
+  cell.supercell = {2, 1, 1};
+  EXPECT_EQ(euler(read_surface(formula, shell, {}, cell).mesh), -8);
+  cell.supercell = {1, 1, 1};
+  const auto expect_refusal = [&](const std::string& source, const std::string& part) {
+    try {
+      static_cast<void>(read_surface(source, shell, {}, cell));
+      ADD_FAILURE() << source;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  expect_refusal("formula:cos(x)+*y", "position 7");
+  expect_refusal("formula:cos(x)+9", "no surface");
+  expect_refusal("formula:7", "same everywhere");
+  expect_refusal("formula:sqrt(x-1)", "must be finite");
+  expect_refusal("schwarz-p", "belong to mesh files and formulas");
+  cell.lattice = remesh::Lattice(parse_cell("1.5"), {false, false, false});
+  cell.level = 1.0;
+  expect_refusal("formula:x^2+y^2+z^2", "leaves the box");
+  cell.lattice = remesh::Lattice(parse_cell("3"), {false, false, false});
+  EXPECT_EQ(euler(read_surface("formula:x^2+y^2+z^2", shell, {}, cell).mesh), 2);
+  cell.lattice.reset();
+  expect_refusal("formula:x^2+y^2+z^2", "--cell");
+}
+
+TEST(ParseCell, TakesLengthsAnglesAndFormulas) {
+  const Eigen::Matrix3d cube = parse_cell("2*pi");
+  EXPECT_TRUE(cube.isApprox(2.0 * std::numbers::pi * Eigen::Matrix3d::Identity()));
+  const Eigen::Matrix3d hexagonal = parse_cell("3,3,5,90,90,120");
+  EXPECT_NEAR(hexagonal.determinant(), 45.0 * std::sqrt(0.75), 1e-9);
+  for (const char* wrong : {"", "1,2", "1,-1,1", "1,1,1,90,90", "a", "1,1,1,10,10,90", "x"}) {
+    EXPECT_THROW(static_cast<void>(parse_cell(wrong)), remesh::InvalidOption) << wrong;
+  }
+}
+
+TEST(InCell, JoinsWhatMeetsAcrossTheCellsFaces) {
+  const remesh::TriMesh shape = remesh::make_shape("schwarz-p", {}, 0.05);
+  const testing_support::TemporaryFolder folder;
+  remesh::write_mesh(shape, folder.path() / "p.stl");
+  const auto read = [&](const std::string& cell) {
+    return read_surface((folder.path() / "p.stl").string(), {}, {},
+                        {.lattice = remesh::Lattice(parse_cell(cell), {true, true, true})});
+  };
+  const Surface surface = read("1");
+  EXPECT_EQ(surface.mesh.n_faces(), shape.n_faces());
+  EXPECT_EQ(surface.mesh.n_vertices(), shape.n_vertices());
+  EXPECT_NEAR(remesh::surface_area(surface.mesh), remesh::surface_area(shape), 1e-5);
+  try {
+    static_cast<void>(read("1.1"));
+    FAIL();
+  } catch (const remesh::InvalidMesh& error) {
+    EXPECT_NE(std::string(error.what()).find("is 0.1 away"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Build, StopsTheRelaxationWhereItIs) {

@@ -20,8 +20,8 @@ Lattice::Cell oblique() {
 
 const std::vector<Lattice> lattices() {
   const Lattice::Cell box = Eigen::Vector3d(4.0, 5.0, 6.0).asDiagonal();
-  return {Lattice(box, {true, true, true}),        Lattice(box, {false, true, false}),
-          Lattice(oblique(), {true, true, true}),  Lattice(oblique(), {true, false, true}),
+  return {Lattice(box, {true, true, true}), Lattice(box, {false, true, false}),
+          Lattice(oblique(), {true, true, true}), Lattice(oblique(), {true, false, true}),
           Lattice(oblique(), {false, false, true})};
 }
 

@@ -11,6 +11,7 @@
 #include "trivalent/remesh/crystallize.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/periodic.h"
 #include "trivalent/remesh/polygon_soup.h"
 #include "trivalent/remesh/shapes.h"
 
@@ -23,8 +24,8 @@ using testing_support::is_closed;
 struct Expected {
   std::string name;
   int euler_characteristic;
-  double area;      // of a cell of edge 1
-  double tolerance; // relative
+  double area;       // of a cell of edge 1
+  double tolerance;  // relative
 };
 // Areas of the minimal surfaces P, D (2 x 2 x 2 cells), G; nodal ones differ a little.
 const std::vector<Expected> shapes = {{"schwarz-p", -4, 2.3451, 0.01},
@@ -46,7 +47,8 @@ TEST(PeriodicShapes, HaveTheTopologyAndAreaOfTheirNames) {
       EXPECT_EQ(measure_quality(mesh).self_intersections, 0) << name;
       // Chords cut a curved surface's area.
       const double cut = 3.0 * edge_length * edge_length;
-      EXPECT_NEAR(surface_area(mesh), area, (tolerance + (tolerance > 1e-9 ? cut * 5.0 : 0.0)) * area)
+      EXPECT_NEAR(surface_area(mesh), area,
+                  (tolerance + (tolerance > 1e-9 ? cut * 5.0 : 0.0)) * area)
           << name;
     }
   }
@@ -124,9 +126,9 @@ TEST(PeriodicSurface, CrossingsAreSeenThroughTheCellsFaces) {
 
 TEST(PeriodicSurface, RemeshingKeepsTheTopologyByBothMethods) {
   const TriMesh surface = make_shape("schwarz-p", {}, 0.05);
-  for (const RemeshMethod& method :
-       std::vector<RemeshMethod>{RemeshOptions{}, CrystalOptions{.effort = Effort::quick},
-                                 CrystalOptions{.effort = Effort::quick, .rest = NetRest::in_space}}) {
+  for (const RemeshMethod& method : std::vector<RemeshMethod>{
+           RemeshOptions{}, CrystalOptions{.effort = Effort::quick},
+           CrystalOptions{.effort = Effort::quick, .rest = NetRest::in_space}}) {
     const RemeshResult net = remesh_by(surface, method, 0.15);
     EXPECT_EQ(euler_characteristic(net.mesh), -4);
     EXPECT_TRUE(is_closed(net.mesh));
@@ -157,8 +159,30 @@ TEST(PeriodicSurface, TooSmallACellIsRefused) {
     EXPECT_NE(std::string(error.what()).find("use at most 0.25, or a supercell"), std::string::npos)
         << error.what();
   }
-  EXPECT_THROW(static_cast<void>(remesh(surface, {.target_edge_length = 0.1, .feature_angle = 0.5})),
+  EXPECT_THROW(
+      static_cast<void>(remesh(surface, {.target_edge_length = 0.1, .feature_angle = 0.5})),
+      InvalidOption);
+}
+
+TEST(Repeated, MakesASupercellOfTheSameSurface) {
+  const TriMesh mesh = make_shape("gyroid", {}, 0.05);
+  const TriMesh twice = repeated(mesh, {2, 1, 3});
+  EXPECT_EQ(twice.n_faces(), 6 * mesh.n_faces());
+  EXPECT_EQ(euler_characteristic(twice), 6 * euler_characteristic(mesh));
+  EXPECT_TRUE(is_closed(twice));
+  EXPECT_NEAR(surface_area(twice), 6.0 * surface_area(mesh), 1e-9);
+  EXPECT_NEAR(mean_edge_length(twice), mean_edge_length(mesh), 1e-12);
+  EXPECT_EQ(measure_quality(twice).components, 1);
+  EXPECT_THROW(static_cast<void>(repeated(mesh, {0, 1, 1})), InvalidOption);
+  EXPECT_THROW(static_cast<void>(repeated(mesh, {1, 1, 100'000'000})), InvalidOption);
+  EXPECT_THROW(static_cast<void>(repeated(testing_support::icosahedron(), {2, 1, 1})),
                InvalidOption);
+}
+
+TEST(JoinedInCell, RefusesABoundaryWithoutPartner) {
+  const TriMesh sheet = testing_support::triangular_sheet(3, 3);
+  const Lattice lattice(Eigen::Vector3d(50.0, 50.0, 50.0).asDiagonal(), {true, true, true});
+  EXPECT_THROW(static_cast<void>(joined_in_cell(sheet, lattice)), InvalidMesh);
 }
 
 TEST(SoupOf, CutsOneCellOpen) {

@@ -1,7 +1,10 @@
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "trivalent/dual/energy_summary.h"
+#include "trivalent/formats/cell_angles.h"
 #include "trivalent/shell/build.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
@@ -35,6 +38,52 @@ Json energies_json(const BuildResult& result) {
   return json;
 }
 
+/// The cell of a periodic shell, and what is in it.
+struct CellReport {
+  dual::CellAngles cell;
+  double area;                    ///< of the net [Å²]
+  std::optional<double> density;  ///< [g/cm³]; none where a direction is free
+  int genus;                      ///< of the net, for a cell
+};
+
+std::optional<CellReport> cell_report(const BuildResult& result) {
+  const potentials::Atoms& atoms = result.shell.structure.atoms;
+  if (!atoms.box.is_periodic()) return std::nullopt;
+  constexpr double grams_per_cubic_cm = 1.66053907;  // of an atomic mass unit per Å³
+  constexpr double carbon_mass = 12.011;
+  CellReport report{.cell = dual::cell_angles(atoms.box.cell),
+                    .area = remesh::surface_area(result.shell.surface.mesh),
+                    .density = std::nullopt,
+                    .genus = 1 - result.quality.euler_characteristic / 2};
+  if (std::ranges::all_of(atoms.box.periodic, [](bool along) { return along; })) {
+    report.density = grams_per_cubic_cm * carbon_mass * static_cast<double>(atoms.size()) /
+                     std::abs(atoms.box.cell.determinant());
+  }
+  return report;
+}
+
+Json cell_json(const CellReport& report, const potentials::Box& box) {
+  return {{"lengths", report.cell.lengths},
+          {"angles", report.cell.angles},
+          {"periodic", box.periodic},
+          {"area", report.area},
+          {"density", report.density ? Json(*report.density) : Json(nullptr)},
+          {"genus", report.genus}};
+}
+
+void add_rows(const CellReport& report, std::vector<dual::TableRow>& rows) {
+  const auto three = [](const std::array<double, 3>& numbers, int digits) {
+    return decimals(numbers[0], digits) + ", " + decimals(numbers[1], digits) + ", " +
+           decimals(numbers[2], digits);
+  };
+  rows.push_back({"cell"});
+  rows.push_back({"a, b, c [Å]", three(report.cell.lengths, 4)});
+  rows.push_back({"α, β, γ", three(report.cell.angles, 2) + "°"});
+  rows.push_back({"area", decimals(report.area, 1) + " Å²"});
+  if (report.density) rows.push_back({"density", decimals(*report.density, 4) + " g/cm³"});
+  rows.push_back({"genus", std::to_string(report.genus)});
+}
+
 }  // namespace
 
 Json BuildResult::json() const {
@@ -57,6 +106,9 @@ Json BuildResult::json() const {
     json["relaxation"] = relax_json(relaxation, *relaxed);
     if (distance_at_rest) json["relaxation"]["distance"] = distance_json(*distance_at_rest);
   }
+  if (const auto cell = cell_report(*this)) {
+    json["cell"] = cell_json(*cell, this->shell.structure.atoms.box);
+  }
   json["seconds"] = Json::object();
   for (const auto& [step, time] : seconds) json["seconds"][step] = time;
   return json;
@@ -70,6 +122,7 @@ std::vector<dual::TableRow> BuildResult::rows() const {
   append(rows, distance_rows(distance));
   rows.push_back({"shell"});
   append(rows, network_rows(network));
+  if (const auto cell = cell_report(*this)) add_rows(*cell, rows);
   rows.push_back({"REBO energy per atom"});
   for (const auto* state : {&before, &unrelaxed}) {
     if (*state) rows.push_back({(*state)->name, energy_text(summary_of(**state))});

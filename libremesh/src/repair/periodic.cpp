@@ -14,8 +14,8 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// Halves edges until all are well below half of the shortest translation. Boundaries that are images
-/// of each other are halved at the same places.
+/// Halves edges until all are well below half of the shortest translation. Boundaries that are
+/// images of each other are halved at the same places.
 void halve_long_edges(TriMesh& mesh, double longest) {
   for (bool changes = true; changes;) {
     changes = false;
@@ -129,8 +129,8 @@ TriMesh repeated(const TriMesh& mesh, const std::array<int, 3>& times) {
     faces *= times[k];
   }
   if (faces > max_faces) {
-    throw InvalidOption(concat("repeated: the supercell would have ", faces, " faces, more than ",
-                               max_faces));
+    throw InvalidOption(
+        concat("repeated: the supercell would have ", faces, " faces, more than ", max_faces));
   }
   if (times == std::array{1, 1, 1}) return mesh;
   const int n = static_cast<int>(mesh.n_vertices());

@@ -6,11 +6,12 @@
 
 namespace trivalent::remesh {
 
-/// The periodic surface of which a free mesh shows one cell: joins boundary vertices that are images
-/// of each other. Edges that are long for the lattice are halved first.
+/// The periodic surface of which a free mesh shows one cell: joins boundary vertices that are
+/// images of each other. Edges that are long for the lattice are halved first.
 ///
 /// @param mesh  Its open boundaries lie where it goes on in the next cell.
-/// @throws InvalidMesh if a boundary vertex has no partner, or more than one; the message says where,
+/// @throws InvalidMesh if a boundary vertex has no partner, or more than one; the message says
+/// where,
 ///   and how far off the nearest image of another boundary vertex is.
 [[nodiscard]] TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice);
 
