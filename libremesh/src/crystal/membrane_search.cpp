@@ -1,5 +1,8 @@
 #include "crystal/membrane_search.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -196,7 +199,7 @@ class MembraneSearch {
       divide();
       const Schedule& schedule = schedule_after(level, finer);
       watch_.expect(rounds_of(schedule));
-      anneal_level(levels[finer], schedule, options_.seed);
+      anneal_level(net_, levels[finer], schedule, options_.seed);
     }
     return true;
   }
@@ -248,26 +251,34 @@ class MembraneSearch {
         plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
     watch_.expect(orders * rounds_of(schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
-    ConstrainedMesh::State best = start;
-    double min_energy = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < orders && !watch_.stopped(); ++k) {
-      net_.on_surface.restore(start);
+    struct Order {
+      double energy = std::numeric_limits<double>::infinity();
+      ConstrainedMesh::State state;
+    };
+    std::vector<Order> found(static_cast<std::size_t>(orders));
+    const auto find = [&](std::size_t k) {
+      if (watch_.stopped()) return;
+      Net net(surface_, creases_);
+      net.on_surface.restore(start);
       // The odd constant keeps the orders of small seeds apart.
       const std::uint64_t seed =
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
-      const double energy = anneal_level(level, schedule, seed);
-      if (energy >= min_energy) continue;
-      min_energy = energy;
-      best = net_.on_surface.state();
-    }
-    net_.on_surface.restore(best);
+      found[k].energy = anneal_level(net, level, schedule, seed);
+      found[k].state = net.on_surface.state();
+    };
+    // Small nets have few patches at a time, so that their orders are found at the same time.
+    tbb::parallel_for(std::size_t{0}, found.size(),
+                      [&](std::size_t k) { tbb::this_task_arena::isolate([&] { find(k); }); });
+    const Order& best = *std::ranges::min_element(found, {}, &Order::energy);
+    if (std::isfinite(best.energy)) net_.on_surface.restore(best.state);
   }
 
   /// @return  Energy of the membrane, cores and the count term included [eV].
-  double anneal_level(const Level& level, const Schedule& schedule, std::uint64_t seed) {
+  double anneal_level(Net& start, const Level& level, const Schedule& schedule,
+                      std::uint64_t seed) {
     const Membrane membrane = membrane_at(level);
-    net_.on_surface.stay_on_sheets(sheet_reach * membrane.length);
-    MembraneNet net(net_.on_surface, surface_, membrane);
+    start.on_surface.stay_on_sheets(sheet_reach * membrane.length);
+    MembraneNet net(start.on_surface, surface_, membrane);
     const int wanted = wanted_vertices(level);
     if (watch_.stopped()) {
       net.relax(hasty_steps);
@@ -285,7 +296,7 @@ class MembraneSearch {
     // Levels have random numbers of their own.
     options.seed = 3 * seed + static_cast<std::uint64_t>(level.coarseness);
     options.after_round = [&](int) {
-      return watch_.goes_on(net_.mesh, membrane.length, 1.0 / scale_);
+      return watch_.goes_on(start.mesh, membrane.length, 1.0 / scale_);
     };
     anneal_membrane(net, options);
     if (!is_last) return energy_of(net, wanted);
@@ -298,9 +309,10 @@ class MembraneSearch {
   }
 
   /// @param wanted  Number of vertices.
-  [[nodiscard]] double energy_of(MembraneNet& net, int wanted) const {
+  [[nodiscard]] static double energy_of(MembraneNet& net, int wanted) {
+    const int vertices = static_cast<int>(net.constrained().mesh.n_vertices());
     return net.elastic_energy() + net.core_energy() +
-           net.membrane().count_energy(static_cast<int>(net_.mesh.n_vertices()) - wanted);
+           net.membrane().count_energy(vertices - wanted);
   }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {

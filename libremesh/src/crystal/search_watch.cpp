@@ -7,13 +7,14 @@ namespace trivalent::remesh {
 
 bool SearchWatch::goes_on(const TriMesh& mesh, double length, double scale) {
   constexpr int rounds_per_report = 25;
-  ++rounds_done_;
+  const int done = ++rounds_done_;
   should_stop();
-  const bool reports = rounds_done_ % rounds_per_report == 0 || rounds_done_ == rounds_;
-  if (options_.on_progress && reports) {
+  const bool is_due = done / rounds_per_report > rounds_reported_ / rounds_per_report;
+  if (options_.on_progress && is_at_home() && (is_due || done == rounds_)) {
+    rounds_reported_ = done;
     RemeshProgress progress = measure_progress(mesh);
     progress.mean_edge_length *= scale;
-    progress.iteration = rounds_done_;
+    progress.iteration = done;
     progress.iterations = rounds_;
     progress.strain = spring_strain(mesh, length);
     options_.on_progress(progress);
