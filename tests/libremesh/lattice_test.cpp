@@ -126,6 +126,8 @@ TEST(Lattice, RefusesVectorsThatSpanTooLittle) {
   EXPECT_NO_THROW(Lattice(cell, {true, true, false}));
   cell.col(1).setZero();
   EXPECT_THROW(Lattice(cell, {true, true, false}), InvalidOption);
+  const Lattice::Cell left_handed = -oblique();
+  EXPECT_THROW(Lattice(left_handed, {true, true, true}), InvalidOption);
   cell.col(0).x() = std::numeric_limits<double>::infinity();
   EXPECT_THROW(Lattice(cell, {true, false, false}), InvalidOption);
 }

@@ -185,6 +185,27 @@ TEST(JoinedInCell, RefusesABoundaryWithoutPartner) {
   EXPECT_THROW(static_cast<void>(joined_in_cell(sheet, lattice)), InvalidMesh);
 }
 
+TEST(JoinedInCell, TakesClosedSurfacesThatKeepClearOfTheirImages) {
+  const TriMesh sphere = make_shape("sphere", {}, 0.2);
+  const auto in_cube = [&](double a) {
+    return joined_in_cell(sphere, Lattice(a * Lattice::Cell::Identity(), {true, true, true}));
+  };
+  EXPECT_EQ(euler_characteristic(in_cube(2.2)), 2);
+  EXPECT_THROW(static_cast<void>(in_cube(1.9)), InvalidMesh);
+}
+
+TEST(JoinedInCell, HalvesEdgesThatAreLongForTheLattice) {
+  // Two triangles show a flat cell.
+  const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {6, 0, 0}, {6, 5, 0}, {0, 5, 0}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Lattice lattice(Eigen::Vector3d(6.0, 5.0, 9.0).asDiagonal(), {true, true, true});
+  const TriMesh mesh = joined_in_cell(make_mesh(points, triangles), lattice);
+  EXPECT_TRUE(is_closed(mesh));
+  EXPECT_EQ(euler_characteristic(mesh), 0);
+  EXPECT_NEAR(surface_area(mesh), 30.0, 1e-12);
+  for (const auto e : mesh.edges()) EXPECT_LT(edge_length(mesh, e), 0.5 * lattice.shortest());
+}
+
 TEST(SoupOf, CutsOneCellOpen) {
   const TriMesh mesh = make_shape("schwarz-p", {}, 0.05);
   const TriangleSoup soup = soup_of(mesh);

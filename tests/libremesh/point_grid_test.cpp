@@ -1,4 +1,4 @@
-#include "crystal/point_grid.h"
+#include "mesh/point_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -165,3 +165,42 @@ def test_an_interrupt_before_the_first_net_raises() -> None:
 def test_other_interrupts_are_refused() -> None:
     with pytest.raises(trivalent.InvalidOption, match="raise or keep"):
         trivalent.build("torus", on_interrupt="other")  # type: ignore[arg-type]
+
+
+def test_a_periodic_surface_has_a_cell() -> None:
+    surface = trivalent.shape("schwarz-p", 0.05)
+    assert surface.pbc.all() and surface.cell == pytest.approx(np.eye(3))
+    shell = trivalent.build(surface, atoms=432, effort="quick")
+    assert shell.pbc.all() and sum(6 - len(ring) for ring in shell.rings) == -24
+    assert shell.report["cell"]["genus"] == 3
+    with pytest.raises(trivalent.InvalidOption, match="build, plan and dual"):
+        trivalent.remesh(surface, 0.1)
+
+
+def test_formulas_and_cells_are_taken_in_any_form() -> None:
+    formula = "formula:cos(x)+cos(y)+cos(z)"
+    cells: list[Any] = ["2*pi", 2.0 * np.pi, [2.0 * np.pi] * 3, 2.0 * np.pi * np.eye(3)]
+    plans = [trivalent.plan(formula, cell=cell, scale=3.0) for cell in cells]
+    for other in plans[1:]:
+        assert other["atoms"] == pytest.approx(plans[0]["atoms"])
+    twice = trivalent.plan(formula, cell="2*pi", scale=3.0, supercell=(2, 1, 1))
+    assert twice["atoms"] == pytest.approx(2.0 * plans[0]["atoms"], rel=0.01)
+    with pytest.raises(trivalent.InvalidOption, match="cell is a, "):
+        trivalent.plan(formula, cell=[1.0, 2.0])
+    with pytest.raises(trivalent.InvalidOption, match="supercell"):
+        trivalent.plan(formula, cell="2*pi", supercell=(2, 1))
+    with pytest.raises(trivalent.InvalidOption, match="position"):
+        trivalent.plan("formula:cos(x", cell="2*pi")
+    with pytest.raises(trivalent.Error, match="leaves the box"):
+        trivalent.plan("formula:x^2+y^2+z^2-1", box=1.5)
+
+
+def test_arrays_of_one_cell_are_joined() -> None:
+    # A flat sheet of two triangles goes on in four directions.
+    vertices = np.array([[0.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 5.0, 0.0], [0.0, 5.0, 0.0]])
+    faces = [[0, 1, 2], [0, 2, 3]]
+    cell = [6.0, 5.0, 20.0]
+    expected = 30.0 * 9.0 / (np.sqrt(3.0) / 4.0 * 3.0 * 1.42**2)
+    assert trivalent.plan((vertices, faces, cell), scale=3.0)["atoms"] == pytest.approx(expected, rel=1e-6)
+    with pytest.raises(trivalent.InvalidMesh, match="no partner"):
+        trivalent.plan((vertices, faces, [7.0, 5.0, 20.0]), scale=3.0)

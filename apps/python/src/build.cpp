@@ -19,6 +19,9 @@ shell::BuildOptions build_options(const Options& options) {
   options.set("cap", build.cap, shell::cap_names);
   bool is_relaxed = true;
   options.set("relax", is_relaxed);
+  bool is_box_fixed = false;
+  options.set("fix_box", is_box_fixed);
+  if (is_box_fixed) build.box = potentials::BoxPolicy::fixed;
   build.relaxation = is_relaxed ? shell::Relaxation::rebo : shell::Relaxation::none;
   return build;
 }
@@ -37,6 +40,7 @@ py::tuple build(const py::object& object, const py::dict& values, Watch& watch) 
   const Options given(values);
   shell::BuildOptions options = build_options(given);
   const remesh::RepairOptions repair = repair_options(given);
+  const shell::CellOptions cell = cell_options(given);
   const SurfaceSource source = surface_source(object);
   observe(options, watch);
   std::shared_ptr<dual::Structure> structure;
@@ -44,7 +48,8 @@ py::tuple build(const py::object& object, const py::dict& values, Watch& watch) 
   shell::Json json;
   {
     const py::gil_scoped_release released;
-    shell::BuildResult result = shell::build(make_surface(source, options.shell, repair), options);
+    shell::BuildResult result =
+        shell::build(make_surface(source, options.shell, repair, cell), options);
     json = result.json();
     structure = std::make_shared<dual::Structure>(result.structure());
     surface = std::make_shared<shell::Surface>(
@@ -57,11 +62,12 @@ py::object plan(const py::object& object, const py::dict& values) {
   const Options given(values);
   const dual::ShellOptions options = shell_options(given);
   const remesh::RepairOptions repair = repair_options(given);
+  const shell::CellOptions cell = cell_options(given);
   const SurfaceSource source = surface_source(object);
   shell::Json json;
   {
     const py::gil_scoped_release released;
-    json = shell::plan(make_surface(source, options, repair).mesh, options).json();
+    json = shell::plan(make_surface(source, options, repair, cell).mesh, options).json();
   }
   return to_python(json);
 }

@@ -104,6 +104,35 @@ remesh::RepairOptions repair_options(const Options& options) {
   return repair;
 }
 
+namespace {
+
+std::optional<remesh::Lattice::Cell> cell_vectors(const Options& options, const char* name) {
+  if (!options.has(name)) return std::nullopt;
+  if (options.is_text(name)) return shell::parse_cell(*options.find<std::string>(name));
+  const auto rows = *options.find<std::array<std::array<double, 3>, 3>>(name);
+  remesh::Lattice::Cell cell;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    cell.col(k) = Eigen::Vector3d::Map(rows[static_cast<std::size_t>(k)].data());
+  }
+  return cell;
+}
+
+}  // namespace
+
+shell::CellOptions cell_options(const Options& options) {
+  options.allow_one({"cell", "box"});
+  shell::CellOptions cell;
+  if (const auto vectors = cell_vectors(options, "cell")) {
+    cell.lattice = remesh::Lattice(*vectors, {true, true, true});
+  }
+  if (const auto vectors = cell_vectors(options, "box")) {
+    cell.lattice = remesh::Lattice(*vectors, {false, false, false});
+  }
+  options.set("level", cell.level);
+  options.set("supercell", cell.supercell);
+  return cell;
+}
+
 shell::PotentialChoice potential_choice(const Options& options) {
   shell::PotentialChoice choice;
   options.set("potential", choice.name);

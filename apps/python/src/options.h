@@ -15,6 +15,7 @@
 #include "trivalent/shell/build_shell.h"
 #include "trivalent/shell/names.h"
 #include "trivalent/shell/potential_choice.h"
+#include "trivalent/shell/surface_source.h"
 
 namespace trivalent::python {
 
@@ -27,6 +28,9 @@ class Options {
 
   [[nodiscard]] bool has(const char* name) const {
     return values_.contains(name) && !values_[name].is_none();
+  }
+  [[nodiscard]] bool is_text(const char* name) const {
+    return has(name) && py::isinstance<py::str>(values_[name]);
   }
   /// @throws WrongOption if the option has another type.
   template <typename Value>
@@ -76,6 +80,9 @@ class Options {
 [[nodiscard]] remesh::RemeshMethod remesh_method(const Options& options);
 /// repair, holes, components, wrap_alpha, wrap_offset.
 [[nodiscard]] remesh::RepairOptions repair_options(const Options& options);
+/// cell or box (a text as shell::parse_cell() takes it, or three rows of cell vectors), level,
+/// supercell.
+[[nodiscard]] shell::CellOptions cell_options(const Options& options);
 /// potential, and lj_epsilon, lj_sigma, lj_cutoff, lj_shift.
 [[nodiscard]] shell::PotentialChoice potential_choice(const Options& options);
 

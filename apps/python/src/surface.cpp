@@ -143,12 +143,15 @@ remesh::TriangleSoup soup_of(const SurfaceSource& source) {
 }
 
 shell::Surface make_surface(const SurfaceSource& source, const dual::ShellOptions& shell,
-                            const remesh::RepairOptions& repair) {
-  if (const auto* surface = std::get_if<Surface>(&source)) return *surface;
+                            const remesh::RepairOptions& repair, const shell::CellOptions& cell) {
+  if (const auto* surface = std::get_if<Surface>(&source)) {
+    if (cell.lattice) throw remesh::InvalidOption("the surface has a cell of its own");
+    return shell::in_cell(*surface, cell);
+  }
   const auto* path = std::get_if<std::string>(&source);
-  return path != nullptr
-             ? shell::read_surface(*path, shell, repair)
-             : shell::repair_surface(std::get<remesh::TriangleSoup>(source), shell, repair);
+  if (path != nullptr) return shell::read_surface(*path, shell, repair, cell);
+  const auto& soup = std::get<remesh::TriangleSoup>(source);
+  return shell::in_cell(shell::repair_surface(soup, shell, repair), cell);
 }
 
 void add_surface(py::module_& module) {
@@ -163,6 +166,20 @@ void add_surface(py::module_& module) {
           },
           "Positions, shape (n, 3)")
       .def_property_readonly("faces", &faces_of, "Corners of each triangle, shape (m, 3)")
+      .def_property_readonly(
+          "cell",
+          [](const Surface& surface) {
+            const Eigen::Matrix3d& cell = surface.mesh.lattice.cell();
+            py::array_t<double> rows({3, 3});
+            for (py::ssize_t i = 0; i < 3; ++i) {
+              for (py::ssize_t k = 0; k < 3; ++k) rows.mutable_at(i, k) = cell(k, i);
+            }
+            return rows;
+          },
+          "Cell vectors, shape (3, 3), one per row")
+      .def_property_readonly(
+          "pbc", [](const Surface& surface) { return surface.mesh.lattice.periodic(); },
+          "Whether it is periodic along each cell vector")
       .def_readonly("notes", &Surface::notes, "What was changed on the way in")
       .def_readonly("wrap_offset", &Surface::wrap_offset, "From the input to its wrap")
       .def(

@@ -27,6 +27,7 @@ using SurfaceSource = std::variant<std::string, remesh::TriangleSoup, shell::Sur
 /// A sound surface for a shell; needs no GIL.
 [[nodiscard]] shell::Surface make_surface(const SurfaceSource& source,
                                           const dual::ShellOptions& shell,
-                                          const remesh::RepairOptions& repair);
+                                          const remesh::RepairOptions& repair,
+                                          const shell::CellOptions& cell = {});
 
 }  // namespace trivalent::python

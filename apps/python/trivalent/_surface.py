@@ -13,9 +13,14 @@ from ._errors import InvalidArray, InvalidOption
 
 _max_numbers = 1_000_000_000
 
-#: A path, a built-in shape ("torus:R=3,r=1"), a Surface, arrays (vertices, faces), or any object with
-#: .vertices and .faces (trimesh), .points and .faces or .cells (PyVista, meshio).
+#: A path, a built-in shape ("torus:R=3,r=1"), "formula:" and a formula of x, y and z, a Surface, arrays
+#: (vertices, faces) or (vertices, faces, cell), or any object with .vertices and .faces (trimesh), .points and .faces
+#: or .cells (PyVista, meshio).
 SurfaceLike = Any
+
+#: Lengths a or (a, b, c) or (a, b, c, alpha, beta, gamma) with angles in degree, cell vectors as three rows, or a text
+#: such as "2*pi" or "3,3,5,90,90,120".
+CellLike = Any
 
 
 class Surface:
@@ -35,6 +40,16 @@ class Surface:
     def faces(self) -> npt.NDArray[np.int32]:
         """Corners of each triangle, shape (m, 3): indices of vertices, counter-clockwise seen from outside."""
         return self._core.faces
+
+    @property
+    def cell(self) -> npt.NDArray[np.float64]:
+        """Cell vectors, shape (3, 3), one per row, in the unit of the vertices; zero for a free surface."""
+        return self._core.cell
+
+    @property
+    def pbc(self) -> npt.NDArray[np.bool_]:
+        """Whether the surface is periodic along each cell vector, shape (3,). Edges lead to nearest images."""
+        return np.array(self._core.pbc, dtype=bool)
 
     @property
     def notes(self) -> list[str]:
@@ -89,9 +104,24 @@ def name_of(surface: SurfaceLike) -> str:
     return "arrays" if isinstance(surface, tuple) else type(surface).__name__
 
 
+def cell_of(surface: SurfaceLike, cell: CellLike | None) -> str | list[list[float]] | None:
+    """The cell as _core takes it: of the option, or else of (vertices, faces, cell)."""
+    if cell is None and isinstance(surface, tuple) and len(surface) == 3:
+        cell = surface[2]
+    if cell is None or isinstance(cell, str):
+        return cell
+    try:
+        numbers = np.asarray(cell, dtype=float)
+    except (TypeError, ValueError):
+        numbers = np.empty((0, 0))
+    if numbers.shape == (3, 3):
+        return [[float(x) for x in row] for row in numbers]
+    if numbers.ndim == 0 or numbers.shape in ((1,), (3,), (6,)):
+        return ",".join(repr(float(x)) for x in numbers.ravel())
+    raise InvalidOption("a cell is a, (a, b, c), (a, b, c, alpha, beta, gamma), three rows of vectors, or a text of these")
+
+
 def _source_of_tuple(surface: tuple[Any, ...]) -> _Source:
-    if len(surface) == 3 and surface[2] is not None:
-        raise InvalidOption("a surface with a cell: periodic surfaces are not known yet; give (vertices, faces)")
     if len(surface) not in (2, 3):
         raise InvalidOption(f"a surface is (vertices, faces), not a tuple of {len(surface)}")
     return (surface[0], _face_arrays(surface[1]))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from . import _core
 from ._progress import progress_function
 from ._shell import Shell, ShellLike, _pbc_of, shell_of
-from ._surface import Surface, SurfaceLike, name_of, source_of
+from ._surface import CellLike, Surface, SurfaceLike, cell_of, name_of, source_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence as _Sequence
@@ -50,7 +50,12 @@ def build(
     wrap_alpha: float | None = None,
     wrap_offset: float | None = None,
     cap: _Cap = "none",
+    cell: CellLike | None = None,
+    box: CellLike | None = None,
+    level: float | None = None,
+    supercell: _Sequence[int] | None = None,
     relax: bool = True,
+    fix_box: bool = False,
     progress: _Progress = None,
     on_interrupt: _OnInterrupt = "raise",
 ) -> Shell:
@@ -69,11 +74,18 @@ def build(
     iterations, rings, sigma, restriction: paper: n (20), k (2), σ (0.2), "hard" (default) or "least-squares"
     repair, holes, components, wrap_alpha, wrap_offset: as in `repair`
     cap: "hydrogen" puts H on the atoms at the edge of an open shell
+    cell: periodic cell of a formula, or of a mesh that shows one cell and is open where it goes on in the next, in
+        the surface's unit: a, (a, b, c), (a, b, c, alpha, beta, gamma), three rows of vectors, or a text ("2*pi")
+    box: in its place, the box around the origin that holds the closed surface of a formula
+    level: value of the formula on the surface, 0; it is lower inside
+    supercell: three numbers: so many cells along each cell vector
+    fix_box: keep the cell of a periodic shell while its atoms relax
     relax: bring the atoms to rest under REBO; False: they stay where the dual puts them
     progress: None shows a bar to people (terminal, notebook), False never, True always; or a function of
         (step, done, total or None, text), which ends the call by returning False
     on_interrupt: what Ctrl-C does: "raise" KeyboardInterrupt, or "keep": return the best so far, if there is a net
     """
+    cell, box = cell_of(surface, cell), cell_of(None, box)
     options = _given(locals())
     watch = _core.Watch(progress_function(progress), on_interrupt)
     core, core_surface, found = _core.build(source_of(surface), options, watch)
@@ -99,11 +111,16 @@ def plan(
     repair: _Repair = "safe",
     holes: _Holes = "keep",
     components: _Components = "all",
+    cell: CellLike | None = None,
+    box: CellLike | None = None,
+    level: float | None = None,
+    supercell: _Sequence[int] | None = None,
 ) -> dict[str, Any]:
     """What a build would come to, without building: atoms, scale [Å per unit], memory [byte], time [s], obstacles.
 
     Arguments are those of `build`.
     """
+    cell, box = cell_of(surface, cell), cell_of(None, box)
     return _core.plan(source_of(surface), _given(locals()))
 
 

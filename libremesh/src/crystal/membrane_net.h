@@ -6,9 +6,9 @@
 
 #include "crystal/lbfgs.h"
 #include "crystal/membrane.h"
-#include "crystal/point_grid.h"
 #include "crystal/vertex_images.h"
 #include "equalize/constrained_mesh.h"
+#include "mesh/point_grid.h"
 
 namespace trivalent::remesh {
 

@@ -1,6 +1,7 @@
 #include "trivalent/remesh/lattice.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,9 @@ Lattice::Lattice(const Cell& cell, const Periodic& periodic) : cell_(cell), peri
                                : count == 2 ? "area"
                                             : "length",
                                "; give vectors that point in different directions"));
+  }
+  if (count == 3 && vectors.determinant() < 0.0) {
+    throw InvalidOption("lattice: the cell vectors are left-handed; swap two of them");
   }
   inverse_ = pseudo_inverse(vectors);
   short_ = with_short_vectors(vectors);

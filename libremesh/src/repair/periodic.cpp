@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
+#include "mesh/edge_table.h"
 #include "mesh/geometry.h"
+#include "mesh/point_grid.h"
+#include "mesh/self_intersections.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 
@@ -38,70 +40,71 @@ double shortest_boundary_edge(const TriMesh& mesh) {
   return shortest;
 }
 
-/// Sets of boundary vertices that are images of each other.
-class Partners {
- public:
-  Partners(const TriMesh& mesh, const Lattice& lattice, double tolerance)
-      : mesh_(mesh), lattice_(lattice), tolerance_(tolerance) {
-    for (const auto v : mesh.vertices()) {
-      if (v.is_boundary()) boundary_.push_back(v);
-    }
-    // Sorted along x of the cell, so that partners are near in this order or at its ends.
-    kept_.resize(mesh.n_vertices());
-    for (const auto v : mesh.vertices()) kept_[index(v)] = v;
-    join();
-  }
+/// A translation that is not zero, but for rounding.
+bool leads_elsewhere(const Lattice& lattice, const Eigen::Vector3d& translation) {
+  return lattice.image_of(translation) != Lattice::Image{0, 0, 0};
+}
 
-  /// The vertex that stands for v and its images.
-  [[nodiscard]] VertexHandle kept(VertexHandle v) const { return kept_[index(v)]; }
-
- private:
-  void join() {
-    for (std::size_t i = 0; i < boundary_.size(); ++i) {
-      const VertexHandle v = boundary_[i];
-      double nearest = std::numeric_limits<double>::infinity();
-      for (std::size_t j = 0; j < boundary_.size(); ++j) {
-        if (i == j) continue;
-        const Eigen::Vector3d apart = mesh_.point(boundary_[j]) - mesh_.point(v);
-        const double distance = lattice_.nearest(apart).norm();
-        // Two vertices of one place are not joined: that would close the mesh onto itself.
-        const bool is_image = (lattice_.nearest(apart) - apart).norm() > tolerance_;
-        if (!is_image) continue;
-        nearest = std::min(nearest, distance);
-        if (distance > tolerance_) continue;
-        kept_[index(v)] = std::min(kept_[index(v)], boundary_[j]);
-      }
-      if (nearest <= tolerance_) continue;
-      const Eigen::Vector3d& p = mesh_.point(v);
-      throw InvalidMesh(concat("joined_in_cell: the boundary vertex at (", p.x(), ", ", p.y(), ", ",
-                               p.z(), ") has no partner: the nearest image of another one is ",
-                               nearest, " away; give the cell that the mesh fits"));
-    }
-    // Corners of the cell have several partners.
-    for (const VertexHandle v : boundary_) {
-      while (kept_[index(v)] != kept_[index(kept_[index(v)])]) {
-        kept_[index(v)] = kept_[index(kept_[index(v)])];
-      }
+/// Distance from a boundary vertex to the nearest image of another one.
+double distance_to_images(const TriMesh& mesh, VertexHandle v) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto w : mesh.vertices()) {
+    if (w == v || !w.is_boundary()) continue;
+    const Eigen::Vector3d apart = mesh.point(w) - mesh.point(v);
+    const Eigen::Vector3d separation = mesh.lattice.nearest(apart);
+    if (leads_elsewhere(mesh.lattice, separation - apart)) {
+      nearest = std::min(nearest, separation.norm());
     }
   }
+  return nearest;
+}
 
-  const TriMesh& mesh_;
-  const Lattice& lattice_;
-  double tolerance_;
-  std::vector<VertexHandle> boundary_;
-  std::vector<VertexHandle> kept_;
-};
+/// For every vertex the one that stands for it and its images.
+std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance) {
+  DisjointSets sets(mesh.n_vertices());
+  const PointGrid grid(mesh, 4.0 * tolerance, tolerance);
+  for (const auto v : mesh.vertices()) {
+    if (!v.is_boundary()) continue;
+    bool has_partner = false;
+    grid.visit(mesh.point(v), tolerance, [&](int other, const Eigen::Vector3d& separation) {
+      const VertexHandle w(other);
+      // Vertices at one place are not joined: that would close the mesh onto itself.
+      const Eigen::Vector3d translation = mesh.point(v) + separation - mesh.point(w);
+      if (!mesh.is_boundary(w) || !leads_elsewhere(mesh.lattice, translation)) return;
+      has_partner = true;
+      sets.join(index(v), index(w));
+    });
+    if (has_partner) continue;
+    const Eigen::Vector3d& p = mesh.point(v);
+    throw InvalidMesh(concat("joined_in_cell: the boundary vertex at (", p.x(), ", ", p.y(), ", ",
+                             p.z(), ") has no partner: the nearest image of another one is ",
+                             distance_to_images(mesh, v),
+                             " away; give the cell that the mesh fits"));
+  }
+  std::vector<VertexHandle> kept;
+  for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
+    kept.emplace_back(static_cast<int>(sets.find(i)));
+  }
+  return kept;
+}
 
 }  // namespace
 
 TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
   constexpr double part_of_edge = 1e-2;
   halve_long_edges(mesh, 0.9 * longest_edge_in(lattice));
-  const Partners partners(mesh, lattice, part_of_edge * shortest_boundary_edge(mesh));
+  const double shortest = shortest_boundary_edge(mesh);
+  mesh.lattice = lattice;
+  std::vector<VertexHandle> kept;
+  if (std::isfinite(shortest)) {
+    kept = representatives(mesh, part_of_edge * shortest);
+  } else {
+    for (const auto v : mesh.vertices()) kept.push_back(v);
+  }
   std::vector<int> numbers(mesh.n_vertices(), -1);
   std::vector<Eigen::Vector3d> points;
   for (const auto v : mesh.vertices()) {
-    if (partners.kept(v) != v) continue;
+    if (kept[index(v)] != v) continue;
     numbers[index(v)] = static_cast<int>(points.size());
     points.push_back(mesh.point(v));
   }
@@ -109,11 +112,19 @@ TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
   for (const auto f : mesh.faces()) {
     std::array<int, 3> corners{};
     std::size_t k = 0;
-    for (const auto v : mesh.fv_range(f)) corners[k++] = numbers[index(partners.kept(v))];
+    for (const auto v : mesh.fv_range(f)) corners[k++] = numbers[index(kept[index(v)])];
     triangles.push_back(corners);
   }
   TriMesh joined = make_mesh(points, triangles);
+  const std::size_t before = find_crossing_faces(joined).count;
   joined.lattice = lattice;
+  const CrossingFaces crossing = find_crossing_faces(joined, 1);
+  if (crossing.count > before) {
+    const Eigen::Vector3d p = face_centroid(joined, FaceHandle(crossing.first.front()[0]));
+    throw InvalidMesh(concat("joined_in_cell: the surface meets its own image in ",
+                             crossing.count - before, " pairs of triangles, first at (", p.x(),
+                             ", ", p.y(), ", ", p.z(), "); give a larger cell"));
+  }
   return joined;
 }
 

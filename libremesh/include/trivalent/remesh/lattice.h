@@ -22,8 +22,8 @@ class Lattice {
   Lattice() = default;
 
   /// @param cell  Vectors along which nothing is periodic frame the surface; they may be zero.
-  /// @throws InvalidOption if a number is not finite, or the periodic vectors lie in one plane (or
-  ///   on one line, or are zero).
+  /// @throws InvalidOption if a number is not finite, the periodic vectors lie in one plane (or on
+  ///   one line, or are zero), or three of them are left-handed.
   Lattice(const Cell& cell, const Periodic& periodic);
 
   [[nodiscard]] bool is_periodic() const { return shortest_squared_ > 0.0; }

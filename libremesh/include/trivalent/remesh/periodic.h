@@ -10,9 +10,9 @@ namespace trivalent::remesh {
 /// images of each other. Edges that are long for the lattice are halved first.
 ///
 /// @param mesh  Its open boundaries lie where it goes on in the next cell.
-/// @throws InvalidMesh if a boundary vertex has no partner, or more than one; the message says
-/// where,
-///   and how far off the nearest image of another boundary vertex is.
+/// @throws InvalidMesh if a boundary vertex has no partner (the message says where, and how far off
+///   the nearest image of another one is), if the joined faces are no surface, or if they meet
+///   their own images.
 [[nodiscard]] TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice);
 
 /// A supercell: the surface in a cell so many times as long.
