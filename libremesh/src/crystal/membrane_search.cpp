@@ -38,11 +38,12 @@ struct Level {
   double vertex_rounds;  ///< vertices · rounds of all orders together, within the limits
   double max_rounds;     ///< of one order: on small nets several short ones find more
   double hot;            ///< [eV] temperature at which an order begins
+  double molten;         ///< [eV] the same of every other one: crystals turn only once they melt
 };
-constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 7.2, 0.0, 300, 2, 1.5e6, 5000, 4.0},
-                                          {4, 2.8, -0.3, 5.4, 0.0, 300, 2, 1.5e6, 5000, 4.0},
-                                          {2, 1.9, -1.2, 3.6, 0.0, 150, 2, 4.0e6, 5000, 4.0},
-                                          {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0}}};
+constexpr std::array<Level, 4> levels = {{{8, 3.7, 0.6, 7.2, 0.0, 300, 2, 1.5e6, 5000, 4.0, 4.0},
+                                          {4, 2.8, -0.3, 5.4, 0.0, 300, 2, 1.5e6, 5000, 4.0, 4.0},
+                                          {2, 1.9, -1.2, 3.6, 0.0, 150, 2, 4.0e6, 5000, 4.0, 4.0},
+                                          {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0, 4.0}}};
 
 /// Temperatures [eV] and rounds of an annealing.
 struct Schedule {
@@ -263,7 +264,9 @@ class MembraneSearch {
       // The odd constant keeps the orders of small seeds apart.
       const std::uint64_t seed =
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
-      found[k].energy = anneal_level(net, level, schedule, seed);
+      Schedule own = schedule;
+      if (k % 2 == 1) own.hot = level.molten;
+      found[k].energy = anneal_level(net, level, own, seed);
       found[k].state = net.on_surface.state();
     };
     // Small nets have few patches at a time, so that their orders are found at the same time.

@@ -23,7 +23,10 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     parser.SetExpr(text);
     static_cast<void>(parser.Eval());
   } catch (const mu::ParserError& error) {
-    throw InvalidOption(concat("formula '", text, "': ", error.GetMsg()));
+    const std::string reason = error.GetMsg();
+    const bool says_where = reason.find("position") != std::string::npos;
+    throw InvalidOption(concat("formula '", text, "': ", reason,
+                               says_where ? "" : concat(" (position ", error.GetPos(), ")")));
   }
 }
 
