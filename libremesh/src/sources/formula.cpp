@@ -24,7 +24,7 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     static_cast<void>(parser.Eval());
   } catch (const mu::ParserError& error) {
     const std::string reason = error.GetMsg();
-    const bool says_where = reason.find("position") != std::string::npos;
+    const bool says_where = error.GetPos() < 0 || reason.find("position") != std::string::npos;
     throw InvalidOption(concat("formula '", text, "': ", reason,
                                says_where ? "" : concat(" (position ", error.GetPos(), ")")));
   }
