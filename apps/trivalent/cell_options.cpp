@@ -9,13 +9,11 @@ void add_cell_options(po::options_description& options) {
   options.add_options()  //
       ("cell", po::value<std::string>(),
        "a[,b,c[,alpha,beta,gamma]]: the periodic cell of a formula, or of a mesh file that shows "
-       "one "
-       "cell and is open where it goes on in the next; lengths in the input's unit, angles in "
+       "one cell and is open where it goes on in the next; lengths in the input's unit, angles in "
        "degree, formulas allowed: 2*pi")  //
       ("formula", po::value<std::string>(),
        "in place of SHAPE: the surface where a function of x, y and z has the value --level, such "
-       "as "
-       "\"cos(x)+cos(y)+cos(z)\"")  //
+       "as \"cos(x)+cos(y)+cos(z)\"")  //
       ("level", with_default(defaults.level),
        "value of the formula on the surface; it is lower inside")  //
       ("box", po::value<std::string>(),
@@ -29,7 +27,12 @@ shell::CellOptions cell_options(const Session& session) {
   const auto cell = session.find<std::string>("cell");
   const auto box = session.find<std::string>("box");
   if (cell && box) throw UsageError("--cell is for periodic surfaces, --box for closed ones");
-  if (box && !session.has("formula")) throw UsageError("--box belongs to --formula");
+  for (const char* name : {"box", "level"}) {
+    const bool is_given = session.has(name) && !session.values[name].defaulted();
+    if (is_given && !session.has("formula")) {
+      throw UsageError("--" + std::string(name) + " belongs to --formula");
+    }
+  }
   if (cell) options.lattice = remesh::Lattice(shell::parse_cell(*cell), {true, true, true});
   if (box) options.lattice = remesh::Lattice(shell::parse_cell(*box), {false, false, false});
   options.level = session.get<double>("level");

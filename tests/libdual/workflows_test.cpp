@@ -197,6 +197,7 @@ TEST(ReadSurface, TakesFormulasInACell) {
   expect_refusal("formula:cos(x)+*y", "position 7");
   expect_refusal("formula:cos(x)+9", "no surface");
   expect_refusal("formula:7", "same everywhere");
+  expect_refusal("formula:cos(x),cos(y)", "2 values");
   expect_refusal("formula:sqrt(x-1)", "must be finite");
   expect_refusal("schwarz-p", "belong to mesh files and formulas");
   cell.lattice = remesh::Lattice(parse_cell("1.5"), {false, false, false});
@@ -236,6 +237,9 @@ TEST(InCell, JoinsWhatMeetsAcrossTheCellsFaces) {
   } catch (const remesh::InvalidMesh& error) {
     EXPECT_NE(std::string(error.what()).find("is 0.1 away"), std::string::npos) << error.what();
   }
+  EXPECT_THROW(static_cast<void>(read("1e-5")), remesh::InvalidMesh);
+  EXPECT_THROW(static_cast<void>(in_cell({.mesh = shape}, {.lattice = remesh::Lattice()})),
+               remesh::InvalidOption);
 }
 
 TEST(Build, StopsTheRelaxationWhereItIs) {

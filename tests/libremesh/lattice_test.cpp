@@ -74,6 +74,15 @@ TEST(Lattice, NearestImagesAreThoseThatBruteForceFinds) {
   }
 }
 
+TEST(Lattice, NumbersBeyondAllBoundsEndTheSearch) {
+  for (const Lattice& lattice : lattices()) {
+    for (const double far : {1e30, 1e200, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+      static_cast<void>(lattice.nearest({far, -far, far}));
+    }
+  }
+}
+
 TEST(Lattice, ShortestTranslationIsNoImageOfZero) {
   EXPECT_DOUBLE_EQ(lattices()[0].shortest(), 4.0);
   EXPECT_DOUBLE_EQ(lattices()[1].shortest(), 5.0);

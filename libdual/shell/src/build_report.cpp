@@ -41,7 +41,7 @@ Json energies_json(const BuildResult& result) {
 /// The cell of a periodic shell, and what is in it.
 struct CellReport {
   dual::CellAngles cell;
-  double area;                    ///< of the net [Å²]
+  double area;                    ///< of the net, before its atoms were relaxed [Å²]
   std::optional<double> density;  ///< [g/cm³]; none where a direction is free
   int genus;                      ///< of the net, for a cell
 };
@@ -54,7 +54,7 @@ std::optional<CellReport> cell_report(const BuildResult& result) {
   CellReport report{.cell = dual::cell_angles(atoms.box.cell),
                     .area = remesh::surface_area(result.shell.surface.mesh),
                     .density = std::nullopt,
-                    .genus = 1 - result.quality.euler_characteristic / 2};
+                    .genus = result.quality.components - result.quality.euler_characteristic / 2};
   if (std::ranges::all_of(atoms.box.periodic, [](bool along) { return along; })) {
     report.density = grams_per_cubic_cm * carbon_mass * static_cast<double>(atoms.size()) /
                      std::abs(atoms.box.cell.determinant());
@@ -79,7 +79,7 @@ void add_rows(const CellReport& report, std::vector<dual::TableRow>& rows) {
   rows.push_back({"cell"});
   rows.push_back({"a, b, c [Å]", three(report.cell.lengths, 4)});
   rows.push_back({"α, β, γ", three(report.cell.angles, 2) + "°"});
-  rows.push_back({"area", decimals(report.area, 1) + " Å²"});
+  rows.push_back({"area of the net", decimals(report.area, 1) + " Å², not relaxed"});
   if (report.density) rows.push_back({"density", decimals(*report.density, 4) + " g/cm³"});
   rows.push_back({"genus", std::to_string(report.genus)});
 }

@@ -143,6 +143,9 @@ remesh::Lattice::Cell parse_cell(const std::string& text) {
 }
 
 Surface in_cell(Surface surface, const CellOptions& cell) {
+  if (cell.lattice && !cell.lattice->is_periodic()) {
+    throw remesh::InvalidOption("a box belongs to a formula; a mesh takes a cell");
+  }
   if (cell.lattice) surface.mesh = remesh::joined_in_cell(std::move(surface.mesh), *cell.lattice);
   surface.mesh = remesh::repeated(surface.mesh, cell.supercell);
   return surface;

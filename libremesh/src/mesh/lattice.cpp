@@ -109,9 +109,11 @@ Eigen::Vector3d Lattice::nearest_image(const Eigen::Vector3d& separation) const 
   for (bool changes = true; changes;) {
     changes = false;
     for (const Eigen::Vector3d& t : around_) {
-      // The margin lets none of two equally near images win again and again.
-      if (2.0 * best.dot(t) <= (1.0 + 1e-12) * t.squaredNorm()) continue;
-      best -= t;
+      // The margin lets none of two equally near images win again and again. Numbers that are not
+      // finite, or too large for t to change them, end the search too.
+      const Eigen::Vector3d other = best - t;
+      if (!(other.squaredNorm() < (1.0 - 1e-12) * best.squaredNorm())) continue;
+      best = other;
       changes = true;
     }
   }

@@ -40,6 +40,21 @@ double shortest_boundary_edge(const TriMesh& mesh) {
   return shortest;
 }
 
+/// Refuses what no cell is meant for, before long edges are halved without end.
+void check_size(const TriMesh& mesh, const Lattice& lattice) {
+  if (!lattice.is_periodic()) {
+    throw InvalidOption("joined_in_cell: nothing is periodic in this cell");
+  }
+  constexpr double max_cells = 1000.0;  // from the origin to a vertex
+  for (const auto v : mesh.vertices()) {
+    const double distance = mesh.point(v).norm();
+    if (distance <= max_cells * lattice.shortest()) continue;
+    throw InvalidMesh(concat("joined_in_cell: vertex ", v.idx(), " is ", distance,
+                             " from the origin, more than ", max_cells,
+                             " cells; give the cell in the mesh's unit, or move the mesh"));
+  }
+}
+
 /// A translation that is not zero, but for rounding.
 bool leads_elsewhere(const Lattice& lattice, const Eigen::Vector3d& translation) {
   return lattice.image_of(translation) != Lattice::Image{0, 0, 0};
@@ -92,6 +107,7 @@ std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance)
 
 TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
   constexpr double part_of_edge = 1e-2;
+  check_size(mesh, lattice);
   halve_long_edges(mesh, 0.9 * longest_edge_in(lattice));
   const double shortest = shortest_boundary_edge(mesh);
   mesh.lattice = lattice;

@@ -22,6 +22,10 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
     parser.DefineConst("pi", std::numbers::pi);
     parser.SetExpr(text);
     static_cast<void>(parser.Eval());
+    if (parser.GetNumResults() != 1) {
+      throw InvalidOption(concat("formula '", text, "': gives ", parser.GetNumResults(),
+                                 " values, but must give one"));
+    }
   } catch (const mu::ParserError& error) {
     const std::string reason = error.GetMsg();
     const bool says_where = error.GetPos() < 0 || reason.find("position") != std::string::npos;

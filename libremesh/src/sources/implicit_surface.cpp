@@ -93,7 +93,7 @@ class Polygonizer {
       throw InvalidMesh("polygonize: the function has one sign everywhere; there is no surface");
     }
     TriMesh mesh = make_mesh(points_, triangles_);
-    mesh.lattice = surface_.lattice;
+    if (surface_.lattice.is_periodic()) mesh.lattice = surface_.lattice;
     return mesh;
   }
 
