@@ -1,5 +1,7 @@
 #include "remesh_options.h"
 
+#include <charconv>
+#include <cmath>
 #include <numbers>
 
 #include "trivalent/shell/option_names.h"
@@ -30,12 +32,27 @@ void refuse_options(const Session& session, std::initializer_list<const char*> n
   }
 }
 
+/// A name, or a stiffness.
+void set_follow(const Session& session, remesh::CrystalOptions& options) {
+  const auto& text = session.get<std::string>("follow");
+  double stiffness = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), stiffness);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    options.follow = named_value(session, "follow", shell::follow_names);
+    return;
+  }
+  if (!(stiffness > 0.0) || !std::isfinite(stiffness)) {
+    throw UsageError("--follow: a stiffness must be > 0");
+  }
+  options.stiffness = stiffness;
+}
+
 remesh::CrystalOptions crystal_options(const Session& session) {
   refuse_options(session, {"iterations", "rings", "sigma", "restriction"});
   if (session.get<int>("seed") < 0) throw UsageError("--seed must not be negative");
   remesh::CrystalOptions options;
   options.effort = named_value(session, "effort", shell::effort_names);
-  options.follow = named_value(session, "follow", shell::follow_names);
+  set_follow(session, options);
   options.seed = static_cast<std::uint64_t>(session.get<int>("seed"));
   return options;
 }
@@ -71,7 +88,8 @@ void add_remesh_options(po::options_description& options) {
        "crystal: how long to search, quick, normal or thorough")  //
       ("follow", with_default_name(remesh::Follow::carbon, shell::follow_names),
        "crystal: how strongly the net is held to the surface: close, carbon (as far as a shell at "
-       "rest moves away) or free (lowest energy)")               //
+       "rest moves away), free (lowest energy), or a stiffness in eV/Å² for each ring: 0.02 is about "
+       "close, 0.006 carbon, 0.002 free")                        //
       ("seed", with_default(0), "crystal: of the random moves")  //
       ("feature-angle", po::value<double>(),
        "edges sharper than this [degrees] are creases and stay; default: none are")  //

@@ -1,7 +1,9 @@
 #include "size_options.h"
 
 #include <initializer_list>
+
 #include "trivalent/shell/number_text.h"
+#include "trivalent/shell/potential_choice.h"
 
 namespace trivalent::apps {
 namespace {
@@ -23,13 +25,17 @@ void allow_one(const Session& session, std::initializer_list<const char*> names)
 
 void add_shell_size_options(po::options_description& options) {
   const dual::ShellOptions defaults;
+  const std::string bond_help = "mean bond length wanted [Å]; default: " +
+                                shell::significant(defaults.bond) + ", of several walls " +
+                                shell::significant(shell::usual_bond_length({.name = "airebo"})) +
+                                ", which suits AIREBO";
   const std::string atoms_help = "about so many atoms; default, if no size is given: " +
                                  std::to_string(std::get<dual::AtomCount>(defaults.size).atoms);
   options.add_options()                                //
       ("atoms", po::value<int>(), atoms_help.c_str())  //
       ("length", po::value<double>(), length_help)     //
       ("scale", po::value<double>(), scale_help)       //
-      ("bond", with_default(defaults.bond), "mean bond length wanted [Å]");
+      ("bond", po::value<double>(), bond_help.c_str());
 }
 
 dual::ShellSize shell_size(const Session& session) {

@@ -122,13 +122,15 @@ std::array<std::int32_t, 3> image_between(const GridPoint& from, const GridPoint
 }
 
 bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to, Squared distances) {
+  return is_nearer(atoms, {from.atom, to.atom, image_between(from, to)}, distances);
+}
+
+bool is_nearer(const Atoms& atoms, ImagePair pair, Squared distances) {
   const bool is_clear =
       std::abs(distances.distance - distances.cutoff) > (rounding_margin - 1.0) * distances.cutoff;
   if (is_clear) return distances.distance < distances.cutoff;
   // Too close to call: computed again, always from the same one of the two.
-  std::array<std::int32_t, 3> image = image_between(from, to);
-  std::uint32_t first = from.atom;
-  std::uint32_t second = to.atom;
+  auto& [first, second, image] = pair;
   if (second < first || (second == first && image < std::array<std::int32_t, 3>{})) {
     std::swap(first, second);
     for (std::int32_t& k : image) k = -k;

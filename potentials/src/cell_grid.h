@@ -28,8 +28,16 @@ struct Squared {
   double cutoff;
 };
 
-/// Whether two points are nearer than a distance, with the same answer from both ends even where
+/// Two atoms, the second in a cell so many cell vectors away.
+struct ImagePair {
+  std::uint32_t first;
+  std::uint32_t second;
+  std::array<std::int32_t, 3> image;
+};
+
+/// Whether two atoms are nearer than a distance, with the same answer from both ends even where
 /// the rounding of periodic images would decide.
+[[nodiscard]] bool is_nearer(const Atoms& atoms, ImagePair pair, Squared distances);
 [[nodiscard]] bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to,
                              Squared distances);
 

@@ -265,5 +265,21 @@ TEST(AnnealingWork, GrowsWithEffortAndSize) {
   EXPECT_LT(annealing_work(1e6, Effort::normal), 400.0 * 1e6);
 }
 
+TEST(Crystallize, HoldsANetAsStiffAsAsked) {
+  // An ellipsoid, on which a free net buckles.
+  const TriMesh mesh = make_shape("ellipsoid", {{"a", 20.0}, {"b", 14.0}, {"c", 9.0}}, 1.0);
+  const auto distance = [&](double stiffness) {
+    const CrystalOptions options = {.target_edge_length = 2.46,
+                                    .effort = Effort::quick,
+                                    .stiffness = stiffness,
+                                    .rest = NetRest::in_space};
+    return measure_distance(crystallize(mesh, options).mesh, mesh, 5000).root_mean_square();
+  };
+  EXPECT_LT(distance(2.0), 0.5 * distance(0.002));
+  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(static_cast<void>(distance(wrong)), InvalidOption);
+  }
+}
+
 }  // namespace
 }  // namespace trivalent::remesh

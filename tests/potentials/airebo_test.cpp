@@ -80,5 +80,31 @@ TEST(Airebo, ThrowsOnCoincidentAtoms) {
   EXPECT_THROW((void)airebo(atoms), InvalidAtoms);
 }
 
+TEST(Airebo, KeepsNeighborsOfAtomsThatMove) {
+  for (Atoms atoms : disordered_structures()) {
+    Airebo kept;
+    static_cast<void>(kept.evaluate(atoms));
+    // Small steps first, then one beyond every skin, then another box.
+    for (const double step : {0.05, 0.05, 0.05, 3.0}) {
+      for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const auto phase = static_cast<double>(i);
+        atoms.positions[i] +=
+            step * Eigen::Vector3d(std::sin(phase), std::cos(2.0 * phase), std::sin(3.0 * phase));
+      }
+      const EnergyForces now = kept.evaluate(atoms);
+      const EnergyForces fresh = airebo(atoms);
+      EXPECT_NEAR(now.energy, fresh.energy, 1e-10 * (1.0 + std::abs(fresh.energy)));
+      EXPECT_LT((now.virial - fresh.virial).norm(), 1e-9 * (1.0 + fresh.virial.norm()));
+      for (std::size_t i = 0; i < atoms.size(); ++i) {
+        EXPECT_LT((now.forces[i] - fresh.forces[i]).norm(), 1e-8 * (1.0 + fresh.forces[i].norm()));
+      }
+      kept.forget();
+      EXPECT_EQ(kept.evaluate(atoms).energy, fresh.energy);
+    }
+    atoms.box.cell *= 1.01;
+    EXPECT_NEAR(kept.evaluate(atoms).energy, airebo(atoms).energy, 1e-8);
+  }
+}
+
 }  // namespace
 }  // namespace trivalent::potentials

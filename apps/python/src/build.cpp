@@ -17,12 +17,16 @@ namespace {
 shell::BuildOptions build_options(const Options& options) {
   shell::BuildOptions build = {.shell = shell_options(options)};
   options.set("cap", build.cap, shell::cap_names);
+  if (options.has("potential")) {
+    build.potential = shell::PotentialChoice{.name = *options.find<std::string>("potential")};
+    if (!options.has("bond")) build.shell.bond = shell::usual_bond_length(*build.potential);
+  }
   bool is_relaxed = true;
   options.set("relax", is_relaxed);
   bool is_box_fixed = false;
   options.set("fix_box", is_box_fixed);
   if (is_box_fixed) build.box = potentials::BoxPolicy::fixed;
-  build.relaxation = is_relaxed ? shell::Relaxation::rebo : shell::Relaxation::none;
+  build.relaxation = is_relaxed ? shell::Relaxation::at_rest : shell::Relaxation::none;
   return build;
 }
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "trivalent/shell/build.h"
 #include "trivalent/shell/option_names.h"
 
 namespace trivalent::python {
@@ -15,7 +16,11 @@ remesh::CrystalOptions crystal_options(const Options& options) {
   options.refuse({"iterations", "rings", "sigma", "restriction"}, "goes with method='paper'");
   remesh::CrystalOptions crystal;
   options.set("effort", crystal.effort, shell::effort_names);
-  options.set("follow", crystal.follow, shell::follow_names);
+  if (options.has("follow") && !options.is_text("follow")) {
+    crystal.stiffness = options.find<double>("follow");
+  } else {
+    options.set("follow", crystal.follow, shell::follow_names);
+  }
   options.set("seed", crystal.seed);
   return crystal;
 }
@@ -68,8 +73,12 @@ dual::ShellOptions shell_options(const Options& options) {
   if (const auto atoms = options.find<int>("atoms")) shell.size = dual::AtomCount{*atoms};
   if (const auto length = options.find<double>("length")) shell.size = dual::LongestSide{*length};
   if (const auto scale = options.find<double>("scale")) shell.size = dual::Scale{*scale};
-  options.set("bond", shell.bond);
   shell.method = remesh_method(options);
+  options.set("walls", shell.walls.count);
+  options.set("spacing", shell.walls.spacing);
+  options.set("side", shell.walls.side, shell::wall_side_names);
+  shell.bond = shell::usual_bond_length(shell::BuildOptions{.shell = shell}.used_potential());
+  options.set("bond", shell.bond);
   return shell;
 }
 

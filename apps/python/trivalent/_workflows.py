@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     _Holes = Literal["keep", "fill"]
     _Components = Literal["all", "largest"]
     _Cap = Literal["none", "hydrogen"]
+    _Side = Literal["outwards", "inwards"]
     _Potential = Literal["rebo", "airebo", "lj"]
     _Engine = Literal["own", "lammps"]
     _OnInterrupt = Literal["raise", "keep"]
@@ -37,7 +38,7 @@ def build(
     bond: float | None = None,
     method: _Method = "crystal",
     effort: _Effort | None = None,
-    follow: _Follow | None = None,
+    follow: _Follow | float | None = None,
     seed: int | None = None,
     feature_angle: float | None = None,
     iterations: int | None = None,
@@ -50,10 +51,14 @@ def build(
     wrap_alpha: float | None = None,
     wrap_offset: float | None = None,
     cap: _Cap = "none",
+    walls: int = 1,
+    spacing: float = 3.4,
+    side: _Side = "outwards",
     cell: CellLike | None = None,
     box: CellLike | None = None,
     level: float | None = None,
     supercell: _Sequence[int] | None = None,
+    potential: Literal["rebo", "airebo"] | None = None,
     relax: bool = True,
     fix_box: bool = False,
     progress: _Progress = None,
@@ -65,22 +70,26 @@ def build(
         .vertices and .faces (trimesh) or .points and .faces or .cells (PyVista, meshio)
     atoms, length, scale: one of them: about so many atoms (10,000 if none is given); the longest side of the
         bounding box [Å]; or [Å per unit of the input]
-    bond: mean bond length wanted [Å], 1.42
+    bond: mean bond length wanted [Å], 1.42, or 1.397 under AIREBO
     method: "crystal" (few defects, where curvature wants them) or "paper" (split, collapse, flip, relax, project)
     effort: crystal: how long to search, "quick", "normal" (default) or "thorough"
-    follow: crystal: how strongly the net is held to the surface, "close", "carbon" (default) or "free"
+    follow: crystal: how strongly the net is held to the surface, "close", "carbon" (default) or "free", or a
+        stiffness in eV/Å² for each ring
     seed: crystal: of the random moves, 0
     feature_angle: edges sharper than this [degree] are creases and stay; None: none are
     iterations, rings, sigma, restriction: paper: n (20), k (2), σ (0.2), "hard" (default) or "least-squares"
     repair, holes, components, wrap_alpha, wrap_offset: as in `repair`
     cap: "hydrogen" puts H on the atoms at the edge of an open shell
+    walls: so many shells around each other; atoms counts those of all, length and scale are of the given surface
+    spacing, side: from wall to wall [Å], and where further walls are: "outwards" of the given surface, or "inwards"
     cell: periodic cell of a formula, or of a mesh that shows one cell and is open where it goes on in the next, in
         the surface's unit: a, (a, b, c), (a, b, c, alpha, beta, gamma), three rows of vectors, or a text ("2*pi")
     box: in its place, the box around the origin that holds the closed surface of a formula
     level: value of the formula on the surface, 0; it is lower inside
     supercell: three numbers: so many cells along each cell vector
     fix_box: keep the cell of a periodic shell while its atoms relax
-    relax: bring the atoms to rest under REBO; False: they stay where the dual puts them
+    potential: under which the atoms relax and have their energies; None: "rebo", of several walls "airebo"
+    relax: bring the atoms to rest; False: they stay where the dual puts them
     progress: None shows a bar to people (terminal, notebook), False never, True always; or a function of
         (step, done, total or None, text), which ends the call by returning False
     on_interrupt: what Ctrl-C does: "raise" KeyboardInterrupt, or "keep": return the best so far, if there is a net
@@ -111,6 +120,9 @@ def plan(
     repair: _Repair = "safe",
     holes: _Holes = "keep",
     components: _Components = "all",
+    walls: int = 1,
+    spacing: float = 3.4,
+    side: _Side = "outwards",
     cell: CellLike | None = None,
     box: CellLike | None = None,
     level: float | None = None,
@@ -163,7 +175,7 @@ def remesh(
     *,
     method: _Method = "crystal",
     effort: _Effort | None = None,
-    follow: _Follow | None = None,
+    follow: _Follow | float | None = None,
     seed: int | None = None,
     feature_angle: float | None = None,
     iterations: int | None = None,

@@ -49,6 +49,8 @@ function radiiOf(state) {
   });
 }
 
+const hiddenAlpha = 128; // as the shaders know it
+
 export class Layer {
   constructor(state, shownRadius) {
     this.state = state;
@@ -141,13 +143,15 @@ export class Layer {
     this.#paintRings();
   }
 
-  /** Colors all by a map, in front of what is not selected; selected is one byte per atom, or null. */
-  paint(map, scale, selected) {
+  /** Colors all by a map, in front of what is not selected; selected is one byte per atom, or null.
+   *  Atoms of the walls in a set are hidden. */
+  paint(map, scale, selected, hiddenWalls) {
     this.map = map;
     this.mapScale = scale;
     this.selected = selected;
     const colorOf = colorFunction({ ...map, scale });
     const { values } = this.state.maps.get(map.name) ?? { values: null };
+    const walls = hiddenWalls.size > 0 ? this.state.maps.get('wall')?.values : null;
     const cache = new Map();
     const steps = 1023;
     for (let atom = 0; atom < this.state.count; ++atom) {
@@ -166,7 +170,8 @@ export class Layer {
       this.colors[4 * atom] = color[0];
       this.colors[4 * atom + 1] = color[1];
       this.colors[4 * atom + 2] = color[2];
-      this.colors[4 * atom + 3] = !selected || selected[atom] ? 255 : 0;
+      this.colors[4 * atom + 3] = walls && hiddenWalls.has(walls[atom]) ? hiddenAlpha
+        : !selected || selected[atom] ? 255 : 0;
     }
     const { array } = this.atoms.geometry.attributes.color;
     const from = new Uint32Array(this.colors.buffer);
@@ -208,14 +213,16 @@ export class Layer {
       const atoms = ringAtoms.subarray(ringStarts[ring], ringStarts[ring + 1]);
       let sum = 0;
       let kept = 0;
+      let isHidden = false;
       for (const atom of atoms) {
         sum += map ? map.values[atom] : NaN;
         kept += this.colors[4 * atom + 3] > 0 ? 1 : 0;
+        isHidden ||= this.colors[4 * atom + 3] === hiddenAlpha;
       }
       const mean = sum / atoms.length;
       const value = this.map.name === 'ring_size' ? ringSizes[ring]
         : this.map.categories ? Math.round(mean) : mean;
-      bytes.set([...colorOf(value), 2 * kept >= atoms.length ? 255 : 0]);
+      bytes.set([...colorOf(value), isHidden ? hiddenAlpha : 2 * kept >= atoms.length ? 255 : 0]);
       to.fill(word[0], 3 * ringStarts[ring], 3 * ringStarts[ring + 1]);
     }
     color.needsUpdate = true;
@@ -248,6 +255,7 @@ export class Layer {
     let highest = -Infinity;
     const { positions } = this;
     for (let atom = 0, at = 0; atom < this.state.count; ++atom, at += 3) {
+      if (this.colors[4 * atom + 3] === hiddenAlpha) continue;
       const [px, py, pz] = [positions[at], positions[at + 1], positions[at + 2]];
       const dx = matrix[0] * px + matrix[4] * py + matrix[8] * pz - x;
       const dy = matrix[1] * px + matrix[5] * py + matrix[9] * pz - y;

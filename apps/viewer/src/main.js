@@ -20,6 +20,7 @@ class Page {
     this.data = data;
     this.layers = new Map();
     this.selected = null;
+    this.hiddenWalls = new Set();
     this.scales = new Map(); // what the reader made of a map's scale
     this.atom = -1;
   }
@@ -83,8 +84,10 @@ class Page {
   }
 
   paint() {
-    this.view.right.paint(this.map, this.scale, this.selected);
-    if (this.view.left && this.view.left !== this.view.right) this.view.left.paint(this.map, this.scale, null);
+    this.view.right.paint(this.map, this.scale, this.selected, this.hiddenWalls);
+    if (this.view.left && this.view.left !== this.view.right) {
+      this.view.left.paint(this.map, this.scale, null, this.hiddenWalls);
+    }
     this.view.redraw();
   }
 
@@ -115,6 +118,11 @@ class Page {
       return [what, box];
     }));
     const hidden = this.data.hasSurface ? [] : ['surface'];
+    const walls = (this.state.maps.get('wall')?.categories ?? []).map(({ value, label }) => {
+      const box = element('input', { type: 'checkbox', id: `show-wall-${value}`, checked: true });
+      box.addEventListener('change', () => this.setWallShown(value, box.checked));
+      return labelled(label, box);
+    });
     const button = (text, id, action) => {
       const node = element('button', { type: 'button', id }, text);
       node.addEventListener('click', action);
@@ -130,6 +138,7 @@ class Page {
         element('div', { className: 'row' }, element('label', { htmlFor: 'coloring' }, 'Color by'), this.colorSelect),
         element('div', { className: 'row' }, ...[...this.toggles].filter(([what]) => !hidden.includes(what))
           .map(([what, box]) => labelled(what, box))),
+        ...(walls.length > 0 ? [element('div', { className: 'row', id: 'walls' }, 'walls', ...walls)] : []),
         element('div', { className: 'row' }, button('First view', 'reset', () => this.view.reset()),
           button('Save picture', 'screenshot', () => this.savePicture()),
           button('Light / dark', 'theme', () => this.toggleTheme()),
@@ -310,6 +319,12 @@ class Page {
       this.view.setGhost(await this.data.surface(), this.state);
     }
     this.view.redraw();
+  }
+
+  setWallShown(wall, isShown) {
+    if (isShown) this.hiddenWalls.delete(wall);
+    else this.hiddenWalls.add(wall);
+    this.paint();
   }
 
   toggleTheme() {

@@ -12,8 +12,11 @@ const shading = `
     return mix(background, lit, kept * (1.0 - fade));
   }`;
 
-// What is not selected is drawn faint; kept says how much of it is left.
+// What is not selected (alpha 0) is drawn faint; kept says how much of it is left. What is hidden has
+// half of alpha, and goes to a place that is never seen.
 const keptOf = 'mix(0.12, 1.0, color.a)';
+const hide = (isHidden) => `if (${isHidden}) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);`;
+const hasHalf = (alpha) => `abs(${alpha} - 0.5) < 0.1`;
 
 export const atoms = {
   vertexShader: `
@@ -33,6 +36,7 @@ export const atoms = {
       kept = ${keptOf};
       depth = gl_Position.z * 0.5 + 0.5;
       reach = shown * depthPerUnit;
+      ${hide(hasHalf('color.a'))}
     }`,
   fragmentShader: `
     precision highp float;
@@ -74,6 +78,7 @@ export const bonds = {
       depth = gl_Position.z * 0.5 + 0.5;
       reach = bondRadius * depthPerUnit;
       side = corner.x;
+      ${hide(`${hasHalf('color.a')} || ${hasHalf('otherColor.a')}`)}
     }`,
   fragmentShader: `
     precision highp float;
@@ -103,6 +108,7 @@ export const rings = {
       tint = color.rgb;
       kept = ${keptOf};
       depth = gl_Position.z * 0.5 + 0.5;
+      ${hide(hasHalf('color.a'))}
     }`,
   fragmentShader: `
     precision highp float;

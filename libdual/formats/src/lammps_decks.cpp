@@ -216,11 +216,15 @@ void write_handover(std::ostream& out) {
 
 }  // namespace
 
+std::string file_name_of(LammpsPotential potential) {
+  return potential == LammpsPotential::airebo ? "CH.airebo" : "CH.rebo";
+}
+
 void write_lammps_check(std::ostream& out, const LammpsDeckOptions& options) {
   check_options(options);
   write_head(out,
              options.expected_energy
-                 ? "Computes the REBO energy and compares it with the one found by trivalent."
+                 ? "Computes the energy and compares it with the one found by trivalent."
                  : "Computes the energy once.",
              options);
   write_system(out, options);

@@ -7,6 +7,7 @@
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/network_checks.h"
 #include "trivalent/dual/padded_box.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/formats/lammps_data.h"
 #include "trivalent/formats/lammps_frame.h"
 #include "trivalent/formats/text_file.h"
@@ -50,7 +51,7 @@ void check_part(const Structure& structure, const LammpsDataOptions& options) {
   }
 }
 
-AtomRange part_of(const Structure& structure, const LammpsDataOptions& options) {
+AtomRange range_of(const Structure& structure, const LammpsDataOptions& options) {
   return options.part.value_or(AtomRange{0, structure.atoms.size()});
 }
 
@@ -81,7 +82,7 @@ void check_title(const std::string& title) {
 
 void write_counts(std::ostream& out, const Structure& structure, const LammpsDataOptions& options,
                   std::size_t n_angles) {
-  const auto [begin, end] = part_of(structure, options);
+  const auto [begin, end] = range_of(structure, options);
   out << "LAMMPS data file: " << options.title << "\n\n";
   out << end - begin << " atoms\n";
   if (writes_bonds(structure, options)) out << structure.bonds.size() << " bonds\n";
@@ -134,12 +135,16 @@ void write_atoms(std::ostream& out, const Structure& structure, const LammpsData
   const Atoms& atoms = structure.atoms;
   const bool is_molecular = options.style == AtomStyle::molecular;
   out << "Atoms # " << (is_molecular ? "molecular" : "atomic") << "\n\n";
+  const std::vector<int> walls = is_molecular ? walls_of(structure) : std::vector<int>{};
   std::string line;
-  const auto [begin, end] = part_of(structure, options);
+  const auto [begin, end] = range_of(structure, options);
   for (std::size_t i = begin; i < end; ++i) {
     line.clear();
     append_integer(line, static_cast<std::int64_t>(i) + 1);
-    if (is_molecular) line += " 1";
+    if (is_molecular) {
+      line += ' ';
+      append_integer(line, walls.empty() ? 1 : walls[i] + 1);
+    }
     line += ' ';
     append_integer(line, type_of(atoms.species[i]));
     append_vector(line, atoms.positions[i], options.digits);

@@ -89,7 +89,8 @@ void write_readme(std::ostream& out, const LammpsDeckOptions& deck, const Lammps
         << "`. LAMMPS looks for its files here and in the folder `LAMMPS_POTENTIALS`; `lmp -help` "
            "lists the pair styles that it was built with.\n\n";
   } else {
-    out << "The potential file `CH.rebo` comes with LAMMPS. LAMMPS looks for it here and in the "
+    out << "The potential file `" << deck.potential_file
+        << "` comes with LAMMPS. LAMMPS looks for it here and in the "
            "folder "
            "`LAMMPS_POTENTIALS`\n(Debian: `/usr/share/lammps/potentials`); `-var potential FILE` "
            "names "
@@ -128,7 +129,9 @@ LammpsPackage write_lammps_package(const fs::path& folder, const Structure& stru
                             .angles = options.data.angles,
                             .periodic = structure.atoms.box.periodic,
                             .has_hydrogen = has_hydrogen(structure.atoms),
-                            .potential_file = options.potential_file,
+                            .potential = options.potential,
+                            .potential_file = options.potential_file.value_or(
+                                file_name_of(options.potential)),
                             .pair_style = options.pair_style};
   if (!options.pair_style) deck.expected_energy = energy;
   const auto write = [&](const std::string& name, const auto& contents) {

@@ -80,28 +80,9 @@ HydrogenCaps cap_with_hydrogen(Structure& structure) {
 }
 
 Structure without_hydrogen(const Structure& structure) {
-  const potentials::Atoms& atoms = structure.atoms;
-  const auto is_carbon = [&](std::size_t i) {
-    return atoms.species[i] == potentials::Species::carbon;
-  };
-  Structure carbon = {.atoms = {.positions = {}, .species = {}, .box = atoms.box}};
-  std::vector<std::uint32_t> places(atoms.size());
-  for (std::size_t i = 0; i < atoms.size(); ++i) {
-    places[i] = static_cast<std::uint32_t>(carbon.atoms.size());
-    if (!is_carbon(i)) continue;
-    carbon.atoms.positions.push_back(atoms.positions[i]);
-    carbon.atoms.species.push_back(atoms.species[i]);
-  }
-  for (const auto& [first, second, image] : structure.bonds) {
-    if (!is_carbon(first) || !is_carbon(second)) continue;
-    carbon.bonds.push_back({places[first], places[second], image});
-  }
-  for (Ring ring : structure.rings) {
-    if (!std::ranges::all_of(ring.atoms, is_carbon)) continue;
-    for (int& atom : ring.atoms) atom = static_cast<int>(places[static_cast<std::size_t>(atom)]);
-    carbon.rings.push_back(std::move(ring));
-  }
-  return carbon;
+  return part_of(structure, [&](std::size_t atom) {
+    return structure.atoms.species[atom] == potentials::Species::carbon;
+  });
 }
 
 }  // namespace trivalent::dual

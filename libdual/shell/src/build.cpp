@@ -1,7 +1,10 @@
 #include "trivalent/shell/build.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <memory>
 #include <span>
 
 #include "build_notes.h"
@@ -9,9 +12,9 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/potentials/error.h"
-#include "trivalent/potentials/rebo.h"
 #include "trivalent/shell/names.h"
 #include "trivalent/shell/plan.h"
+#include "trivalent/shell/wall_energies.h"
 
 namespace trivalent::shell {
 namespace {
@@ -68,13 +71,16 @@ class Build {
   void begin(BuildStep step);
   void end(BuildStep step);
   void cap_edges();
+  [[nodiscard]] remesh::TriMesh given_wall_of(const remesh::TriMesh& net) const;
   [[nodiscard]] double excess_energy() const;
   [[nodiscard]] std::vector<Eigen::Vector3d> positions_on_original() const;
   void evaluate_input();
+  void measure_walls();
   void evaluate_shell();
   [[nodiscard]] dual::ShellState state_of_shell(std::string name) const;
 
   const BuildOptions& options_;
+  std::unique_ptr<potentials::Potential> potential_;
   Surface surface_;
   Eigen::Matrix3d deformation_ = Eigen::Matrix3d::Identity();  // of the cell, by its relaxation
   Clock::time_point last_ = Clock::now();
@@ -82,6 +88,9 @@ class Build {
 
 Build::Build(Surface surface, const BuildOptions& options)
     : options_(options), surface_(std::move(surface)) {
+  result.potential = options.used_potential();
+  potential_ = make_potential(result.potential);
+  result.graphene = graphene_reference(result.potential);
   plan(surface_.mesh, options.shell).require_feasible();
   result.notes = std::move(surface_.notes);
   result.input_quality = remesh::measure_quality(surface_.mesh);
@@ -100,6 +109,7 @@ void Build::end(BuildStep step) {
 void Build::remesh() {
   begin(BuildStep::remesh_and_dual);
   result.shell = dual::build_shell(surface_.mesh, options_.shell);
+  std::ranges::move(result.shell.notes, std::back_inserter(result.notes));
   if (result.shell.surface.stopped) {
     result.notes.push_back(stopped_note(result.shell.surface));
     result.stopped = true;
@@ -124,6 +134,19 @@ void Build::cap_edges() {
   }
 }
 
+/// Of several walls, the one on the given surface.
+remesh::TriMesh Build::given_wall_of(const remesh::TriMesh& net) const {
+  const std::vector<int>& walls = result.shell.wall_of_atom;
+  if (walls.empty()) return net;
+  std::vector<std::array<int, 3>> triangles = remesh::triangles_of(net);
+  std::size_t face = 0;
+  std::erase_if(triangles,
+                [&](const auto&) { return walls[face++] != result.shell.given_wall; });
+  remesh::TriMesh wall = remesh::make_mesh({net.points(), net.n_vertices()}, triangles);
+  wall.lattice = net.lattice;
+  return wall;
+}
+
 void Build::measure() {
   begin(BuildStep::measure);
   result.wrap_offset = surface_.wrap_offset * result.shell.scale;
@@ -131,7 +154,8 @@ void Build::measure() {
   result.original = std::move(surface_.mesh);
   remesh::scale(result.original, result.shell.scale);
   result.quality = remesh::measure_quality(result.shell.surface.mesh);
-  result.distance = remesh::measure_distance(result.shell.surface.mesh, result.original);
+  result.distance =
+      remesh::measure_distance(given_wall_of(result.shell.surface.mesh), result.original);
   result.network = dual::check_network(result.shell.structure);
   if (options_.cap == EdgeCap::hydrogen) cap_edges();
   end(BuildStep::measure);
@@ -145,35 +169,52 @@ std::vector<Eigen::Vector3d> Build::positions_on_original() const {
 }
 
 dual::ShellState Build::state_of_shell(std::string name) const {
-  const dual::Structure& structure = result.shell.structure;
-  dual::ShellState state = dual::shell_state(std::move(name), structure);
-  dual::add_energies(state, result.energy.energies, dual::graphene_energy);
+  dual::Structure structure = result.shell.structure;
+  if (!result.shell.wall_of_atom.empty()) {
+    structure.columns.push_back({.name = dual::wall_column, .values = result.shell.wall_of_atom});
+  }
+  dual::ShellState state = dual::shell_state(std::move(name), std::move(structure));
+  dual::add_energies(state, result.energy.energies, result.graphene);
+  if (!result.wall_energies.empty()) {
+    state.maps.push_back(dual::wall_energy_map(result.wall_energies));
+  }
   state.maps.push_back(
       dual::distance_map("surface_distance", "distance to the input surface",
                          remesh::distances_to_surface(positions_on_original(), result.original)));
   return state;
 }
 
-/// Of the carbon atoms above graphene [eV].
+/// Of the carbon atoms above graphene, without what they gain by other walls [eV].
 double Build::excess_energy() const {
   const auto& atoms = result.shell.structure.atoms;
   double sum = 0.0;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     if (atoms.species[i] == potentials::Species::carbon) {
-      sum += result.energy.energies[i] - dual::graphene_energy;
+      sum += result.energy.energies[i] - result.graphene;
+      if (!result.wall_energies.empty()) sum -= result.wall_energies[i];
     }
   }
   return sum;
 }
 
+/// What several walls are like, and what binds them.
+void Build::measure_walls() {
+  if (result.shell.wall_of_atom.empty()) return;
+  dual::Structure structure = result.shell.structure;
+  structure.columns = {{.name = dual::wall_column, .values = result.shell.wall_of_atom}};
+  result.walls = dual::check_walls(structure);
+  result.wall_energies = wall_energies(structure, result.energy.energies, *potential_);
+}
+
 void Build::evaluate_shell() {
   try {
-    result.energy = potentials::rebo(result.shell.structure.atoms);
+    result.energy = potential_->evaluate(result.shell.structure.atoms);
   } catch (const potentials::InvalidAtoms& error) {
     throw potentials::InvalidAtoms(potentials::concat(
         "build: the shell meets itself (", error.what(),
         "); repair the mesh there, or put a new surface around it: --repair wrap"));
   }
+  measure_walls();
   result.after = state_of_shell("shell");
   result.budget = energy_budget(result.shell.surface.mesh, excess_energy());
 }
@@ -186,8 +227,8 @@ void Build::evaluate_input() {
     remesh::scale(original,
                   dual::scale_for_size(original, dual::MeanBond{result.network.bond_mean}));
     dual::ShellState state = dual::shell_state("dual of the input", dual::build_dual(original));
-    dual::add_energies(state, potentials::rebo(state.structure.atoms).energies,
-                       dual::graphene_energy);
+    dual::add_energies(state, potential_->evaluate(state.structure.atoms).energies,
+                       result.graphene);
     result.before = std::move(state);
   } catch (const dual::InvalidNetwork& error) {
     result.notes.push_back(std::string("the input has no dual to compare with: ") + error.what());
@@ -201,7 +242,7 @@ void Build::evaluate() {
   evaluate_shell();
   if (result.stopped) {
     result.notes.emplace_back("stopped: the dual of the input was not evaluated");
-  } else {
+  } else if (result.walls.empty()) {
     evaluate_input();
   }
   end(BuildStep::energies);
@@ -209,17 +250,16 @@ void Build::evaluate() {
   note_findings(result);
 }
 
-/// Brings the atoms of the shell to rest under REBO. A stop keeps them where they have come.
+/// Brings the atoms of the shell to rest under the potential. A stop keeps them where they have come.
 void Build::relax() {
   begin(BuildStep::relax);
   dual::Structure& structure = result.shell.structure;
-  potentials::Rebo rebo;
   const auto on_progress = [&](const potentials::RelaxProgress& state) {
     const bool goes_on = !options_.on_relax || options_.on_relax(state);
     result.stopped = result.stopped || !goes_on;
     return goes_on;
   };
-  result.relaxed = potentials::relax(structure.atoms, rebo,
+  result.relaxed = potentials::relax(structure.atoms, *potential_,
                                      {.max_steps = options_.max_relaxation_steps,
                                       .box = options_.box,
                                       .bonds = structure.bonds,
@@ -239,6 +279,7 @@ void Build::relax() {
   structure.atoms = result.relaxed->atoms;
   result.network = dual::check_network(dual::without_hydrogen(structure));
   result.energy = result.relaxed->result;
+  measure_walls();
   result.after = state_of_shell("relaxed shell");
   result.after.maps.push_back(dual::displacement_map(before, structure.atoms.positions));
   const remesh::TriMesh start = box.is_periodic()
@@ -248,7 +289,7 @@ void Build::relax() {
   if (!result.stopped) {
     const remesh::TriMesh surface =
         box.is_periodic() ? deformed(result.original, deformation_) : result.original;
-    result.distance_at_rest = remesh::measure_distance(net, surface);
+    result.distance_at_rest = remesh::measure_distance(given_wall_of(net), surface);
   }
   result.budget = energy_budget(net, excess_energy());
   end(BuildStep::relax);
@@ -261,7 +302,7 @@ BuildResult build(Surface surface, const BuildOptions& options) {
   build.remesh();
   build.measure();
   build.evaluate();
-  if (options.relaxation == Relaxation::rebo) build.relax();
+  if (options.relaxation == Relaxation::at_rest) build.relax();
   return std::move(build.result);
 }
 
@@ -273,6 +314,9 @@ std::string stopped_note(const remesh::RemeshResult& net) {
 dual::Structure BuildResult::structure() const {
   dual::Structure structure = shell.structure;
   structure.columns = dual::network_columns(structure);
+  if (!shell.wall_of_atom.empty()) {
+    structure.columns.push_back({.name = dual::wall_column, .values = shell.wall_of_atom});
+  }
   structure.columns.push_back({.name = "component", .values = components.of_face});
   dual::add_energies(structure, energy);
   if (unrelaxed) dual::add_displacements(structure, unrelaxed->structure.atoms.positions);

@@ -8,6 +8,7 @@
 #include "trivalent/shell/build.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
+#include "trivalent/shell/wall_energies.h"
 
 namespace trivalent::shell {
 namespace {
@@ -16,24 +17,30 @@ dual::EnergySummary summary_of(const dual::ShellState& state) {
   return dual::summarize_energies(state.find("energy")->values, 0);
 }
 
-Json energy_json(const dual::EnergySummary& summary) {
+/// @param graphene  an atom's energy there [eV]
+Json energy_json(const dual::EnergySummary& summary, double graphene) {
   return {{"energy", summary.total},
           {"energy_per_atom", summary.mean},
-          {"excess_per_atom", summary.excess()},
+          {"excess_per_atom", summary.mean - graphene},
           {"lowest", summary.lowest},
           {"highest", summary.highest}};
 }
 
-std::string energy_text(const dual::EnergySummary& summary) {
+std::string energy_text(const dual::EnergySummary& summary, double graphene) {
   return "mean " + decimals(summary.mean, 4) + ", worst " + decimals(summary.highest, 4) +
-         " eV, above graphene " + decimals(1000.0 * summary.excess(), 1) + " meV/atom";
+         " eV, above graphene " + decimals(1000.0 * (summary.mean - graphene), 1) + " meV/atom";
 }
 
 Json energies_json(const BuildResult& result) {
-  Json json = {
-      {"potential", "rebo"}, {"unit", "eV"}, {"after", energy_json(summary_of(result.after))}};
-  json["before"] = result.before ? energy_json(summary_of(*result.before)) : Json(nullptr);
-  if (result.relaxed) json["unrelaxed"] = energy_json(summary_of(*result.unrelaxed));
+  const auto of_state = [&](const dual::ShellState& state) {
+    return energy_json(summary_of(state), result.graphene);
+  };
+  Json json = {{"potential", result.potential.title()},
+               {"unit", "eV"},
+               {"graphene", result.graphene},
+               {"after", of_state(result.after)}};
+  json["before"] = result.before ? of_state(*result.before) : Json(nullptr);
+  if (result.relaxed) json["unrelaxed"] = of_state(*result.unrelaxed);
   json["scale"] = scale_json(result.after.find("energy")->scale);
   return json;
 }
@@ -102,6 +109,7 @@ Json BuildResult::json() const {
                {"hydrogens", caps.hydrogens},
                {"energy", energies_json(*this)}};
   json["energy"]["budget"] = budget.json();
+  if (!walls.empty()) json["walls"] = walls_json(walls, wall_energies);
   if (relaxed) {
     json["relaxation"] = relax_json(relaxation, *relaxed);
     if (distance_at_rest) json["relaxation"]["distance"] = distance_json(*distance_at_rest);
@@ -123,12 +131,13 @@ std::vector<dual::TableRow> BuildResult::rows() const {
   rows.push_back({"shell"});
   append(rows, network_rows(network));
   if (const auto cell = cell_report(*this)) add_rows(*cell, rows);
-  rows.push_back({"REBO energy per atom"});
+  append(rows, walls_rows(walls, wall_energies));
+  rows.push_back({"energy per atom (" + potential.title() + ")"});
   for (const auto* state : {&before, &unrelaxed}) {
-    if (*state) rows.push_back({(*state)->name, energy_text(summary_of(**state))});
+    if (*state) rows.push_back({(*state)->name, energy_text(summary_of(**state), graphene)});
   }
   const auto summary = summary_of(after);
-  rows.push_back({after.name, energy_text(summary)});
+  rows.push_back({after.name, energy_text(summary, graphene)});
   rows.push_back({"total", decimals(summary.total, 8) + " eV"});
   if (relaxed) {
     rows.push_back({"relaxation"});

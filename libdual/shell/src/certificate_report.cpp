@@ -4,6 +4,7 @@
 #include "trivalent/shell/certify.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
+#include "trivalent/shell/wall_energies.h"
 
 namespace trivalent::shell {
 namespace {
@@ -88,6 +89,7 @@ Json Certificate::json() const {
   for (const int atom : summary.worst) {
     json["worst"].push_back({{"id", atom + 1}, {"energy", energy.energies[atom]}});
   }
+  if (!walls.empty()) json["walls"] = walls_json(walls, {});
   if (surface_distance) {
     json["surface_distance"] = {{"rms", surface_distance->rms},
                                 {"largest", surface_distance->largest}};
@@ -103,6 +105,8 @@ std::vector<dual::TableRow> Certificate::rows() const {
   rows.push_back({"bonds are found", bonds == BondSource::file
                                          ? "by distance, and compared with those of the file"
                                          : "by distance; the file has none"});
+  append(rows, walls_rows(walls, {}));
+  if (!walls.empty()) rows.push_back({"all walls"});
   append(rows, energy_rows(*this));
   if (surface_distance) {
     rows.push_back({"to the surface [Å]", "rms " + decimals(surface_distance->rms, 3) +

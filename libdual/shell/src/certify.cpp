@@ -66,6 +66,20 @@ void find_wrong_geometry(Certificate& certificate) {
   }
 }
 
+/// Walls are networks of their own.
+void check_walls(const dual::Structure& structure, const dual::Bonding& bonding,
+                 Certificate& certificate) {
+  const std::vector<int> walls = dual::walls_of(structure);
+  if (walls.empty()) return;
+  dual::Structure bonded = structure;
+  bonded.bonds = dual::find_bonds(structure.atoms);
+  bonded.rings = dual::find_rings(bonding);
+  if (const int across = dual::bonds_between_walls(bonded); across > 0) {
+    certificate.problems.push_back(std::to_string(across) + " bonds go from one wall to another");
+  }
+  certificate.walls = dual::check_walls(bonded);
+}
+
 void check_topology(const dual::Structure& structure, ShellEdge edge, Certificate& certificate) {
   const potentials::Atoms& atoms = structure.atoms;
   const dual::Bonding bonding = dual::bonding_of(atoms, dual::find_bonds(atoms));
@@ -82,6 +96,7 @@ void check_topology(const dual::Structure& structure, ShellEdge edge, Certificat
                        " pairs of bonds lie in no ring of up to 12 atoms");
   }
   find_wrong_geometry(certificate);
+  check_walls(structure, bonding, certificate);
   if (structure.bonds.empty()) return;
   const auto changes = potentials::bond_changes(atoms, structure.bonds);
   if (!changes.broken.empty() || !changes.formed.empty()) {

@@ -8,6 +8,7 @@
 #include "trivalent/dual/error.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
+#include "trivalent/shell/wall_energies.h"
 
 namespace trivalent::shell {
 namespace {
@@ -32,6 +33,14 @@ double largest_force(const potentials::EnergyForces& energy) {
   return largest;
 }
 
+void add_walls(const EvaluateOptions& options, Evaluation& result) {
+  result.walls = dual::check_walls(result.state.structure);
+  if (result.walls.empty() || options.lammps) return;
+  result.wall_energies = wall_energies(result.state.structure, result.energy.energies,
+                                       *make_potential(options.potential));
+  result.state.maps.push_back(dual::wall_energy_map(result.wall_energies));
+}
+
 Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
@@ -44,6 +53,7 @@ Evaluation evaluate(dual::Structure structure, const EvaluateOptions& options) {
   result.summary = dual::summarize_energies(result.energy.energies, options.n_worst);
   result.state = dual::shell_state("atoms", std::move(structure));
   dual::add_energies(result.state, result.energy.energies, graphene_reference(options.potential));
+  add_walls(options, result);
   return result;
 }
 
@@ -77,6 +87,7 @@ Json Evaluation::json() const {
   json["bonds_from"] = bonds == BondSource::file ? "file" : "distance";
   json["coordinations"] = histogram_json(coordinations_of(state));
   json["ring_sizes"] = histogram_json(state.ring_sizes);
+  if (!walls.empty()) json["walls"] = walls_json(walls, wall_energies);
   if (forces == ForceReport::none) return json;
   json["largest_force"] = largest_force(energy);
   json["energies"] = energy.energies;
@@ -107,6 +118,7 @@ std::vector<dual::TableRow> Evaluation::rows() const {
   if (forces == ForceReport::all) {
     rows.push_back({"largest force", significant(largest_force(energy), 6) + " eV/Å"});
   }
+  append(rows, walls_rows(walls, wall_energies));
   return rows;
 }
 

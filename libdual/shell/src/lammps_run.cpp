@@ -30,10 +30,6 @@ namespace {
 namespace bp = boost::process;
 namespace fs = std::filesystem;
 
-std::string usual_potential_file(const LammpsOptions& options) {
-  return options.potential == dual::LammpsPotential::airebo ? "CH.airebo" : "CH.rebo";
-}
-
 std::string require_program(const std::string& program, const std::string& package) {
   const std::string path = bp::search_path(program).string();
   if (!path.empty()) return path;
@@ -202,7 +198,7 @@ LammpsPotentialFile find_potential_file(const LammpsOptions& options) {
     }
     return {.name = fs::absolute(*named).lexically_normal().string()};
   }
-  const std::string name = usual_potential_file(options);
+  const std::string name = dual::file_name_of(options.potential);
   const char* folder = std::getenv("LAMMPS_POTENTIALS");
   for (const fs::path place : {folder != nullptr ? folder : ".", "/usr/share/lammps/potentials"}) {
     if (fs::exists(place / name)) return {.name = name};

@@ -4,11 +4,13 @@
 #include <array>
 #include <sstream>
 
+#include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/potentials/airebo.h"
 #include "trivalent/potentials/rebo.h"
+#include "trivalent/potentials/relax.h"
 
 namespace trivalent::shell {
 namespace {
@@ -90,7 +92,18 @@ double graphene_reference(const PotentialChoice& choice) {
   if (choice.pair_style) return 0.0;
   if (is_rebo(choice)) return dual::graphene_energy;
   const potentials::Atoms cell = dual::graphene_cell();
-  return make_potential(choice)->evaluate(cell).energy / static_cast<double>(cell.size());
+  const auto n_atoms = static_cast<double>(cell.size());
+  const PotentialPointer potential = make_potential(choice);
+  // Pairs alone, without bonds, would not keep a net.
+  if (choice.name == "lj") return potential->evaluate(cell).energy / n_atoms;
+  return potentials::relax(cell, *potential, {.box = potentials::BoxPolicy::pressure_free})
+             .result.energy /
+         n_atoms;
+}
+
+double usual_bond_length(const PotentialChoice& choice) {
+  constexpr double airebo_bond = 1.397;
+  return choice.title() == "airebo" ? airebo_bond : dual::default_bond_length;
 }
 
 bool is_rebo(const PotentialChoice& choice) { return choice.title() == "rebo"; }

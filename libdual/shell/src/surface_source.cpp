@@ -55,12 +55,13 @@ double coarse_edge_length(const ShapeCall& call) {
 ///
 /// @param coarse  The surface of long triangles, in the supercell.
 double fine_edge_length(const remesh::TriMesh& coarse, const dual::ShellOptions& options) {
-  constexpr double faces_per_atom = 4.0;
+  constexpr double faces_per_triangle = 4.0;
   constexpr double min_faces = 4000.0;
   const Plan coarse_plan = plan(coarse, options);
   coarse_plan.require_feasible();  // before so many triangles are made
-  const double n_faces = std::max(min_faces, faces_per_atom * coarse_plan.shell.atoms);
-  return std::sqrt(1.0 / remesh::unit_triangle_area * remesh::surface_area(coarse) / n_faces);
+  const double unit_area = remesh::surface_area(coarse) / remesh::unit_triangle_area;
+  const double triangles = unit_area / std::pow(coarse_plan.shell.edge_length, 2);
+  return std::sqrt(unit_area / std::max(min_faces, faces_per_triangle * triangles));
 }
 
 remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions& options,

@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 namespace trivalent::dual {
 namespace {
@@ -138,6 +140,30 @@ AtomMap pyramidalization_map(const Bonding& bonding) {
   for (const auto& ends : bonding) map.values.push_back(pyramidalization(ends));
   map.scale = sequential_scale(map.values, 0.0);
   return map;
+}
+
+AtomMap wall_map(std::span<const int> walls) {
+  // Neighboring walls differ in color, also of many.
+  constexpr std::array<Color, 6> colors = {
+      {{0, 114, 178}, {230, 159, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {213, 94, 0}}};
+  AtomMap map = {.name = "wall", .title = "wall", .values = {}};
+  for (const int wall : walls) map.values.push_back(wall + 1);
+  const int n_walls = walls.empty() ? 0 : *std::ranges::max_element(walls) + 1;
+  for (int wall = 0; wall < n_walls; ++wall) {
+    map.categories.push_back({.value = wall + 1,
+                              .label = std::to_string(wall + 1),
+                              .color = colors[static_cast<std::size_t>(wall) % colors.size()]});
+  }
+  return map;
+}
+
+AtomMap wall_energy_map(std::vector<double> energies) {
+  const ColorScale scale = diverging_scale(energies, 0.0);
+  return {.name = "wall_energy",
+          .title = "energy by the other walls",
+          .unit = "eV",
+          .values = std::move(energies),
+          .scale = scale};
 }
 
 AtomMap distance_map(std::string name, std::string title, std::vector<double> distances) {

@@ -7,6 +7,7 @@
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/dual/walls.h"
 
 namespace trivalent::dual {
 ShellState shell_state(std::string name, Structure structure) {
@@ -20,6 +21,9 @@ ShellState shell_state(std::string name, Structure structure) {
   state.maps = {ring_size_map(state.rings_at_atoms), coordination_map(bonding),
                 bond_strain_map(bonding, state.structure.atoms.species, graphene_bond),
                 pyramidalization_map(bonding)};
+  if (const auto walls = walls_of(state.structure); !walls.empty()) {
+    state.maps.push_back(wall_map(walls));
+  }
   return state;
 }
 

@@ -106,8 +106,14 @@ struct Bond {
   double slack;
 };
 
-Bond bond_of(Follow follow) {
-  switch (follow) {
+Bond bond_of(const CrystalOptions& options) {
+  if (options.stiffness) {
+    const double ratio = std::sqrt(*options.stiffness / bond_of({}).tether);
+    return {.tether = *options.stiffness,
+            .cover = bond_of({}).cover * ratio,
+            .slack = bond_of({}).slack / ratio};
+  }
+  switch (options.follow) {
     case Follow::close:
       return {.tether = 0.02, .cover = 0.1, .slack = 2.0};
     case Follow::carbon:
@@ -116,6 +122,11 @@ Bond bond_of(Follow follow) {
       return {.tether = 0.002, .cover = 0.02, .slack = 6.0};
   }
   throw InvalidOption("crystallize: unknown strength of following");
+}
+
+/// Whether the net is held to the surface up to the end, whatever the shape.
+bool is_held(const CrystalOptions& options) {
+  return options.stiffness || options.follow == Follow::close;
 }
 
 /// How much weaker the bond is on a smooth shape. Buckling by a given part of the radius costs the
@@ -145,7 +156,7 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
-        slackening_(options.follow == Follow::close ? 1.0 : slackening(surface_, area_)),
+        slackening_(is_held(options) ? 1.0 : slackening(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
 
@@ -223,7 +234,7 @@ class MembraneSearch {
   }
 
   [[nodiscard]] Membrane membrane_at(const Level& level) const {
-    const Bond bond = bond_of(options_.follow);
+    const Bond bond = bond_of(options_);
     Membrane membrane;
     membrane.length = level.coarseness * Membrane::fine_length;
     membrane.tether = slackening_ * bond.tether;
@@ -335,7 +346,7 @@ class MembraneSearch {
 
   void finish() {
     Membrane membrane = membrane_at(levels.back());
-    if (options_.follow != Follow::close) membrane.tether = membrane.cover = 0.0;
+    if (!is_held(options_)) membrane.tether = membrane.cover = 0.0;
     MembraneNet net(net_.on_surface, surface_, membrane);
     if (watch_.stopped()) return net.relax(hasty_steps);
     net.relax(closing_steps, watch_.question());

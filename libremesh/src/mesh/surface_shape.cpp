@@ -74,6 +74,12 @@ double bending_integral(const TriMesh& mesh) {
   return sum;
 }
 
+double mean_curvature_integral(const TriMesh& mesh) {
+  double sum = 0.0;
+  for (const auto e : mesh.edges()) sum += 0.5 * bend_at(mesh, e) * edge_length(mesh, e);
+  return sum;
+}
+
 FineParts find_fine_parts(const TriMesh& mesh, double radius) {
   constexpr std::size_t one_in = 1000;
   const auto [area, bend] = bending_of(mesh);

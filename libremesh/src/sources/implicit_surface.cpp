@@ -150,18 +150,24 @@ class Polygonizer {
     }
   }
 
+  double value_at(const Site& site) {
+    const auto [found, is_new] = value_by_site_.try_emplace(key_of(site), 0.0);
+    if (is_new) found->second = surface_.value(position_of(site));
+    return found->second;
+  }
+
   /// Where the edge from a site of value `from` to a neighbor is cut, as a fraction; none if not.
-  std::optional<double> cut_towards(double from, const Site& neighbor) const {
-    const double to = surface_.value(position_of(neighbor));
+  std::optional<double> cut_towards(double from, const Site& neighbor) {
+    const double to = value_at(neighbor);
     if ((from < 0.0) == (to < 0.0)) return std::nullopt;
     return from / (from - to);
   }
 
-  Node make_node(const Site& site) const {
-    Node node{surface_.value(position_of(site)), position_of(site), -1};
+  Node make_node(const Site& site) {
+    Node node{value_at(site), position_of(site), -1};
     const Eigen::Vector3d start = node.position;
     const double value = node.value;
-    if (std::abs(value) > 2.0 * unit_) return node;
+    if (!surface_.snaps || std::abs(value) > 2.0 * unit_) return node;
     double nearest = 3.0;  // in units, longer than every edge
     const auto try_neighbor = [&](const Site& offset, double length, double snap) {
       const auto cut = cut_towards(value, site + offset);
@@ -290,6 +296,7 @@ class Polygonizer {
   double unit_;
   std::vector<Site> cubes_;
   std::vector<Node> nodes_;
+  std::unordered_map<std::uint64_t, double> value_by_site_;
   std::unordered_map<std::uint64_t, int> node_by_site_;
   std::unordered_map<std::uint64_t, int> vertex_on_edge_;
   std::vector<Eigen::Vector3d> points_;
@@ -306,9 +313,14 @@ Eigen::Vector3d gradient(const ImplicitSurface& surface, const Eigen::Vector3d& 
 }
 
 Eigen::Vector3d onto_surface(const ImplicitSurface& surface, Eigen::Vector3d p, double step) {
+  // Where two sheets meet, distances have next to no gradient, and a step would lead anywhere.
+  constexpr double min_squared_slope = 0.1;
+  const double close_enough = 1e-3 * step;
   for (int i = 0; i < newton_steps; ++i) {
+    const double value = surface.value(p);
+    if (std::abs(value) < close_enough) break;
     const Eigen::Vector3d g = gradient(surface, p, step);
-    p -= surface.value(p) / g.squaredNorm() * g;
+    p -= value / std::max(g.squaredNorm(), min_squared_slope) * g;
   }
   return p;
 }

@@ -16,6 +16,9 @@ struct ImplicitSurface {
   /// If it has a cell, that is triangulated instead of the box. Along vectors that are not
   /// periodic, the surface lies between -1/2 and 1/2 of them.
   Lattice lattice = {};
+  /// Whether grid points move to the surface where they come close. That leaves no slivers, but
+  /// sheets that are nearer to each other than the grid's points may touch.
+  bool snaps = true;
 };
 
 /// Triangulates an implicit surface, with edges of about edge_length; in a lattice, one cell of it.

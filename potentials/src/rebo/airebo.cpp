@@ -8,6 +8,7 @@
 #include "rebo/bond_order.h"
 #include "rebo/cutoff.h"
 #include "rebo/evaluator.h"
+#include "rebo/far_pairs.h"
 #include "rebo/gradient.h"
 #include "rebo/screening.h"
 #include "totals.h"
@@ -20,24 +21,10 @@ namespace {
 
 using namespace rebo_detail;  // NOLINT(google-build-using-namespace): the parts of this potential
 
-[[nodiscard]] const NonbondedParameters& nonbonded(Species a, Species b) {
-  return nonbonded_2000[static_cast<std::size_t>(a) + static_cast<std::size_t>(b)];
-}
-
-// 4ε[(σ/r)^12 - (σ/r)^6], switched off smoothly before 3σ; with its slope in r², which needs no
-// root of it.
-[[nodiscard]] inline ValueAndSlope lennard_jones_energy(double r2, const NonbondedParameters& p) {
-  const double inverse = 1.0 / r2;
-  const double second = p.sigma * p.sigma * inverse;
-  const double sixth = second * second * second;
-  const ValueAndSlope full = {4.0 * p.epsilon * sixth * (sixth - 1.0),
-                              -12.0 * p.epsilon * sixth * (2.0 * sixth - 1.0) * inverse};
-  const Range end = {nonbonded_end.begin * p.sigma, nonbonded_end.end * p.sigma};
-  if (r2 <= end.begin * end.begin) return full;
-  const double r = std::sqrt(r2);
-  const ValueAndSlope rise = cubic_rise(r, end);
-  return {full.value * (1.0 - rise.value),
-          full.slope * (1.0 - rise.value) - full.value * 0.5 * r * inverse * rise.slope};
+// Once a pair, not once from each end.
+[[nodiscard]] bool is_first_of_pair(std::uint32_t from, std::uint32_t to,
+                                    const std::array<std::int32_t, 3>& image) {
+  return to != from ? to > from : image > std::array<std::int32_t, 3>{0, 0, 0};
 }
 
 void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double energy) {
@@ -46,42 +33,21 @@ void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double ene
   result.energies[j] += 0.5 * energy;
 }
 
-// Pairs too far apart for any path of bonds: Lennard-Jones and nothing else.
-void add_far_pairs(const Atoms& atoms, EnergyForces& result) {
-  const CellGrid grid(atoms, nonbonded_end.end * nonbonded_2000[0].sigma);
-  constexpr double nearest = longest_path * longest_path;
-  const auto sum_chunk = [&](std::size_t begin, std::size_t end) {
-    Totals sum;
-    grid.for_each_neighbor(
-        begin, end,
-        [&](std::size_t p, std::size_t q, const Eigen::Vector3d& separation, double r2) {
-          if (r2 * rounding_margin * rounding_margin < nearest) return;
-          const GridPoint& from = grid.points()[p];
-          const GridPoint& to = grid.points()[q];
-          if (is_nearer(atoms, from, to, {r2, nearest})) return;
-          const ValueAndSlope pair =
-              lennard_jones_energy(r2, nonbonded(atoms.species[from.atom], atoms.species[to.atom]));
-          const Eigen::Vector3d force = 2.0 * pair.slope * separation;
-          result.energies[from.atom] += 0.5 * pair.value;
-          result.forces[from.atom] += force;
-          sum.energy += 0.5 * pair.value;
-          sum.virial -= 0.5 * force * separation.transpose();
-        });
-    return sum;
-  };
-  const auto totals = sum_over_chunks<Totals>(grid.points().size(), sum_chunk);
-  result.energy += totals.energy;
-  result.virial += totals.virial;
-}
-
-// Pairs that bonds may connect or that may become bonds themselves.
+// What differs from the Lennard-Jones energies of FarPairs: pairs that may become bonds, and pairs
+// that bonds connect.
 class NearPairs {
  public:
-  NearPairs(const BondList& bonds, Gradient& gradient, EnergyForces& result)
-      : bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
+  NearPairs(const Atoms& atoms, const BondList& bonds, Gradient& gradient, EnergyForces& result)
+      : atoms_(atoms), bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
 
-  /// Goes on to the pairs of another atom.
-  void start_from(std::uint32_t atom) { paths_.start_from(atom); }
+  /// Goes on to the pairs of another atom, and takes from those that bonds connect what FarPairs
+  /// adds.
+  void start_from(std::uint32_t atom) {
+    paths_.start_from(atom);
+    for (const Path& path : paths_.all()) {
+      if (is_first_of_pair(atom, path.atom, path.image)) take_from_far_pair(atom, path);
+    }
+  }
 
   void add_pair_with(std::uint32_t atom, const Neighbor& neighbor) {
     const Path* path = paths_.to(neighbor.atom, neighbor.image);
@@ -132,6 +98,20 @@ class NearPairs {
             -(1.0 - far.value) * bonded.slope};
   }
 
+  void take_from_far_pair(std::uint32_t atom, const Path& path) {
+    const ImagePair pair = {.first = atom, .second = path.atom, .image = path.image};
+    const Eigen::Vector3d separation =
+        atoms_.box.shifted(atoms_.positions[path.atom] - atoms_.positions[atom], path.image);
+    const double r2 = separation.squaredNorm();
+    if (is_nearer(atoms_, pair, {r2, far_from * far_from})) return;
+    const ValueAndSlope energy =
+        lennard_jones_energy(r2, nonbonded(bonds_.species(atom), bonds_.species(path.atom)));
+    add_pair(result_, atom, path.atom, -path.strength * energy.value);
+    gradient_.add_separation(atom, path.atom, separation,
+                             -2.0 * path.strength * energy.slope * separation);
+    add_slopes_of_path(path, -energy.value);
+  }
+
   void add_slopes_of_path(const Path& path, double weight) {
     for (std::size_t k = 0; k < path.length; ++k) {
       const std::size_t bond = path.bonds[k];
@@ -147,51 +127,84 @@ class NearPairs {
     return std::nullopt;
   }
 
+  const Atoms& atoms_;
   const BondList& bonds_;
   Gradient& gradient_;
   EnergyForces& result_;
   Paths paths_;
 };
 
-// Once a pair, not once from each end.
-[[nodiscard]] bool is_first_of_pair(const GridPoint& from, const GridPoint& to) {
-  if (to.atom != from.atom) return to.atom > from.atom;
-  return image_between(from, to) > std::array<std::int32_t, 3>{0, 0, 0};
+// Part of the atoms' share in a result.
+struct Share : EnergyForces {
+  Share& operator+=(const Share& other) {
+    energy += other.energy;
+    virial += other.virial;
+    for (std::size_t i = 0; i < energies.size(); ++i) {
+      energies[i] += other.energies[i];
+      forces[i] += other.forces[i];
+    }
+    return *this;
+  }
+};
+
+// Adds up what body(begin, end, share) makes of the parts of [0, n). Every part has arrays of its
+// own for all atoms, therefore they are few; on any number of threads they are the same.
+template <typename Body>
+void add_shares(std::size_t n, EnergyForces& result, const Body& body) {
+  constexpr std::size_t n_parts = 4;
+  std::vector<Share> shares(n_parts);
+  for_each_part(n_parts, [&](std::size_t part) {
+    set_zero(shares[part], result.energies.size());
+    body(part * n / n_parts, (part + 1) * n / n_parts, shares[part]);
+  });
+  for (std::size_t part = 1; part < n_parts; ++part) shares[0] += shares[part];
+  result.energy += shares[0].energy;
+  result.virial += shares[0].virial;
+  for_each_chunk(result.energies.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.energies[i] += shares[0].energies[i];
+      result.forces[i] += shares[0].forces[i];
+    }
+  });
 }
 
 void add_near_pairs(const Atoms& atoms, const BondList& bonds, EnergyForces& result) {
-  Gradient gradient(bonds, result);
-  NearPairs pairs(bonds, gradient, result);
-  const CellGrid grid(atoms, longest_path * rounding_margin);
-  std::optional<std::size_t> center;
-  grid.for_each_neighbor(
-      0, grid.points().size(),
-      [&](std::size_t p, std::size_t q, const Eigen::Vector3d& separation, double r2) {
-        const GridPoint& from = grid.points()[p];
-        const GridPoint& to = grid.points()[q];
-        if (!is_first_of_pair(from, to)) return;
-        if (!is_nearer(atoms, from, to, {r2, longest_path * longest_path})) return;
-        if (center != p) pairs.start_from(from.atom);
-        center = p;
-        pairs.add_pair_with(from.atom,
-                            {to.atom, image_between(from, to), separation, std::sqrt(r2)});
-      });
-  gradient.finish();
+  const CellGrid grid(atoms, far_from * rounding_margin);
+  add_shares(grid.points().size(), result, [&](std::size_t begin, std::size_t end, Share& share) {
+    Gradient gradient(bonds, share);
+    NearPairs pairs(atoms, bonds, gradient, share);
+    for (std::size_t p = begin; p < end; ++p) {
+      const GridPoint& from = grid.points()[p];
+      if (!from.is_home) continue;
+      pairs.start_from(from.atom);
+      grid.for_each_neighbor(
+          p, p + 1, [&](std::size_t, std::size_t q, const Eigen::Vector3d& separation, double r2) {
+            const GridPoint& to = grid.points()[q];
+            const auto image = image_between(from, to);
+            if (!is_first_of_pair(from.atom, to.atom, image)) return;
+            if (!is_nearer(atoms, from, to, {r2, far_from * far_from})) return;
+            pairs.add_pair_with(from.atom, {to.atom, image, separation, std::sqrt(r2)});
+          });
+    }
+    gradient.finish();
+  });
 }
 
 void add_torsion(const BondList& bonds, EnergyForces& result) {
-  Gradient gradient(bonds, result);
-  const BondOrder orders(bonds, stuart_2000, &gradient);
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const DirectedBond& bond = bonds[b];
-    if (bond.reverse < b) continue;  // once a bond, not once a direction
-    if (bonds.species(bond.from) != Species::carbon) continue;
-    if (bonds.species(bond.to) != Species::carbon) continue;
-    const double sum = orders.torsion_sum(pair_of(bonds, b), bond.cutoff.value, result.energies);
-    gradient.add_cutoff(b, sum);
-    result.energy += sum * bond.cutoff.value;
-  }
-  gradient.finish();
+  add_shares(bonds.size(), result, [&](std::size_t begin, std::size_t end, Share& share) {
+    Gradient gradient(bonds, share);
+    const BondOrder orders(bonds, stuart_2000, &gradient);
+    for (std::size_t b = begin; b < end; ++b) {
+      const DirectedBond& bond = bonds[b];
+      if (bond.reverse < b) continue;  // once a bond, not once a direction
+      if (bonds.species(bond.from) != Species::carbon) continue;
+      if (bonds.species(bond.to) != Species::carbon) continue;
+      const double sum = orders.torsion_sum(pair_of(bonds, b), bond.cutoff.value, share.energies);
+      gradient.add_cutoff(b, sum);
+      share.energy += sum * bond.cutoff.value;
+    }
+    gradient.finish();
+  });
 }
 
 }  // namespace
@@ -200,15 +213,27 @@ EnergyForces airebo(const Atoms& atoms, const AireboOptions& options) {
   return Airebo(options).evaluate(atoms);
 }
 
+struct Airebo::State {
+  static constexpr double skin = 0.3;  // [Å] of the neighbors that may be bonded
+  Evaluator bonded{stuart_2000, skin};
+  FarPairs far_pairs;
+};
+
+Airebo::Airebo(const AireboOptions& options)
+    : options_(options), state_(std::make_unique<State>()) {}
+
+Airebo::~Airebo() = default;
+
+void Airebo::forget() { state_ = std::make_unique<State>(); }
+
 void Airebo::compute(const Atoms& atoms, EnergyForces& result) {
   require_valid(atoms, "airebo");
-  constexpr double no_skin = 0.0;  // neighbors are used once
-  Evaluator(stuart_2000, no_skin).evaluate(atoms, result);
+  state_->bonded.evaluate(atoms, result);
   if (!options_.lennard_jones && !options_.torsion) return;
   const BondList bonds(atoms, stuart_2000);
   if (options_.lennard_jones) {
     add_near_pairs(atoms, bonds, result);
-    add_far_pairs(atoms, result);
+    state_->far_pairs.add(atoms, result);
   }
   if (options_.torsion) add_torsion(bonds, result);
 }

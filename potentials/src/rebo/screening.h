@@ -29,6 +29,9 @@ class Paths {
   /// Goes on to the paths from this atom.
   void start_from(std::uint32_t atom);
 
+  /// The best paths to all atoms that they reach.
+  [[nodiscard]] std::span<const Path> all() const { return paths_; }
+
   /// The best path to an image of an atom; none if there is no path.
   [[nodiscard]] const Path* to(std::uint32_t atom, const std::array<std::int32_t, 3>& image) const;
 

@@ -35,6 +35,9 @@ struct CrystalOptions {
   Effort effort = Effort::normal;
   std::uint64_t seed = 0;  ///< of the random moves
   Follow follow = Follow::carbon;
+  /// Stiffness of the tether between net and surface [eV/Å² for each vertex], > 0, in place of
+  /// `follow`: 0.02 is about as close, 0.006 as carbon, 0.002 as free.
+  std::optional<double> stiffness = {};
   NetRest rest = NetRest::on_surface;
   /// Edges whose faces' normals differ by more than this [rad] are creases. If empty, there are
   /// none.
@@ -71,7 +74,8 @@ struct CrystalOptions {
 ///
 /// @param mesh  As for remesh().
 /// @return      `iterations` counts rounds of annealing.
-/// @throws InvalidMesh, InvalidOption  as remesh() does.
+/// @throws InvalidMesh, InvalidOption  as remesh() does; InvalidOption also if the stiffness is not
+///   > 0 and finite.
 /// @throws Stopped  if options.should_stop returns true before there is a net.
 ///
 /// Cost: O(n) patches a round, and a fixed number of rounds.

@@ -17,6 +17,9 @@ enum class LammpsPotential {
   airebo  ///< `airebo 3.0 1 1`: with Lennard-Jones and torsion terms
 };
 
+/// The file of parameters that LAMMPS brings for it.
+[[nodiscard]] std::string file_name_of(LammpsPotential potential);
+
 /// Any other potential of LAMMPS, in its own words.
 struct PairStyle {
   std::string style;                      ///< arguments of pair_style, as in "tersoff"
@@ -34,7 +37,7 @@ struct LammpsDeckOptions {
   LammpsPotential potential = LammpsPotential::rebo;
   std::string potential_file = "CH.rebo";    ///< `lmp -var potential FILE` overrides it
   std::optional<PairStyle> pair_style = {};  ///< instead of the potential and its file
-  /// Total of the data under REBO [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its
+  /// Total of the data under the potential [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its
   /// size.
   std::optional<double> expected_energy = {};
 };

@@ -14,8 +14,10 @@ enum class Compression { none, gzip };
 struct LammpsPackageOptions {
   LammpsDataOptions data = {};
   std::string name = "shell";                ///< of the data file, without extension
-  std::string potential_file = "CH.rebo";    ///< as pair_coeff finds it
-  std::optional<PairStyle> pair_style = {};  ///< instead of REBO
+  LammpsPotential potential = LammpsPotential::rebo;
+  /// As pair_coeff finds it; if empty, CH.rebo or CH.airebo in LAMMPS's own folder.
+  std::optional<std::string> potential_file = {};
+  std::optional<PairStyle> pair_style = {};  ///< instead of the potential
   Compression compression = Compression::none;
   std::size_t atoms_per_file = 50'000'000;  ///< >= 1; more atoms go into several files
 };
@@ -32,7 +34,7 @@ struct LammpsPackage {
 /// the README says by which rotation.
 ///
 /// @param folder  exists
-/// @param energy  of the atoms under REBO [eV], for in.check; not used with another pair style
+/// @param energy  of the atoms under the potential [eV], for in.check; not used with another pair style
 /// @throws InvalidNetwork, InvalidOption as write_lammps_data and write_lammps_check; InvalidOption
 ///   also if atoms_per_file is 0, the atoms need several files in molecular style, or there are no
 ///   bonds for it.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,6 +43,11 @@ struct Structure {
   std::vector<Column> columns = {};
   std::vector<HeaderEntry> header = {};
 };
+
+/// Some of the atoms with the bonds and rings between them, in the same order; columns and header
+/// stay behind.
+[[nodiscard]] Structure part_of(const Structure& structure,
+                                const std::function<bool(std::size_t)>& is_kept);
 
 /// Pairs of atoms whose bond stays inside the box: those that can be drawn.
 [[nodiscard]] std::vector<std::array<int, 2>> drawable_bonds(const Structure& structure);

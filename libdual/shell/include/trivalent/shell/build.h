@@ -10,6 +10,7 @@
 
 #include "trivalent/dual/hydrogen.h"
 #include "trivalent/dual/network_checks.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/potentials/energy_forces.h"
 #include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/mesh_components.h"
@@ -17,6 +18,7 @@
 #include "trivalent/shell/build_shell.h"
 #include "trivalent/shell/energy_budget.h"
 #include "trivalent/shell/json.h"
+#include "trivalent/shell/potential_choice.h"
 #include "trivalent/shell/relax_report.h"
 #include "trivalent/shell/surface_source.h"
 #include "trivalent/view/shell_state.h"
@@ -31,8 +33,8 @@ enum class EdgeCap {
 };
 
 enum class Relaxation {
-  none,  ///< the atoms stay where the dual puts them
-  rebo,  ///< they are brought to rest under REBO
+  none,     ///< the atoms stay where the dual puts them
+  at_rest,  ///< they are brought to rest under the potential
 };
 
 /// The steps of a build, in their order.
@@ -41,7 +43,13 @@ enum class BuildStep { remesh_and_dual, measure, energies, relax };
 struct BuildOptions {
   dual::ShellOptions shell = {};  ///< size, bond and method; how remeshing is followed and stopped
   EdgeCap cap = EdgeCap::none;
-  Relaxation relaxation = Relaxation::rebo;
+  /// If empty, REBO, or AIREBO for several walls, which REBO does not hold apart.
+  std::optional<PotentialChoice> potential = {};
+  /// The potential, or the one that is taken if it is empty.
+  [[nodiscard]] PotentialChoice used_potential() const {
+    return potential.value_or(PotentialChoice{.name = shell.walls.count > 1 ? "airebo" : "rebo"});
+  }
+  Relaxation relaxation = Relaxation::at_rest;
   potentials::BoxPolicy box = potentials::BoxPolicy::pressure_free;  ///< of a periodic shell
   /// A shell that is not at rest by then is caught somewhere: relax() can go on.
   int max_relaxation_steps = 3000;
@@ -59,14 +67,20 @@ struct BuildResult {
   dual::Shell shell = {};
   remesh::MeshQuality quality = {};
   remesh::MeshComponents components = {};  ///< of_face also covers hydrogens
-  remesh::TwoSidedDistance distance = {};  ///< of the net, before the shell is relaxed
+  /// Of the net, before the shell is relaxed; of several, that of the given surface.
+  remesh::TwoSidedDistance distance = {};
   /// Of the net carried along by the atoms that were relaxed; none if that was stopped.
   std::optional<remesh::TwoSidedDistance> distance_at_rest = {};
   dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
   dual::HydrogenCaps caps = {};
-  potentials::EnergyForces energy = {};  ///< REBO
+  PotentialChoice potential = {};
+  double graphene = 0.0;                 ///< an atom's energy in graphene under the potential [eV]
+  potentials::EnergyForces energy = {};
+  std::vector<dual::WallReport> walls = {};  ///< if there are several
+  /// What each atom's energy is lower for by the other walls [eV]; empty if there is one.
+  std::vector<double> wall_energies = {};
   std::optional<dual::ShellState> before =
-      {};  ///< the dual of the input, if it has an energy; none if stopped
+      {};  ///< the dual of the input, if it has an energy; none if stopped, or of several walls
   std::optional<dual::ShellState> unrelaxed = {};  ///< the shell before it was relaxed
   std::optional<potentials::RelaxResult> relaxed = {};
   RelaxReport relaxation = {};

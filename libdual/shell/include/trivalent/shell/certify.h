@@ -7,6 +7,7 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/shell_checks.h"
 #include "trivalent/dual/structure.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/potentials/energy_forces.h"
 #include "trivalent/remesh/mesh.h"
 #include "trivalent/shell/json.h"
@@ -51,6 +52,7 @@ struct Certificate {
   std::string potential = {};
   BondSource bonds = BondSource::file;  ///< file: its bonds were compared with those by distance
   dual::ShellReport shell = {};
+  std::vector<dual::WallReport> walls = {};  ///< if there are several
   potentials::EnergyForces energy = {};
   dual::EnergySummary summary = {};
   double largest_force = 0.0;  ///< [eV/Å]

@@ -14,7 +14,7 @@ namespace trivalent::shell {
 /// allows. All energies in eV.
 struct EnergyBudget {
   int atoms = 0;
-  double total = 0.0;       ///< above graphene, REBO
+  double total = 0.0;       ///< above graphene
   double bending = 0.0;     ///< ½ κ ∫ (2H)² dA of the shell as it is, κ = 1.4 eV
   remesh::Defects defects;  ///< rings of 5 and 7: alone as curvature asks for them, and in pairs
   double pairs = 0.0;       ///< of the 5-7 pairs that are left over, at about 3 eV each

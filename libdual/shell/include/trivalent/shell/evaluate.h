@@ -6,6 +6,7 @@
 
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/structure.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/potentials/energy_forces.h"
 #include "trivalent/shell/json.h"
 #include "trivalent/shell/lammps_run.h"
@@ -32,6 +33,10 @@ struct Evaluation {
   dual::ShellState state = {};
   potentials::EnergyForces energy = {};
   dual::EnergySummary summary = {};
+  std::vector<dual::WallReport> walls = {};  ///< if there are several
+  /// What each atom's energy is lower for by the other walls [eV]; empty if there is one, or LAMMPS
+  /// computes.
+  std::vector<double> wall_energies = {};
   ForceReport forces = ForceReport::none;  ///< in json(), rows() and structure()
   BondSource bonds = BondSource::file;
 

@@ -33,6 +33,8 @@ inline constexpr Names<remesh::ComponentPolicy, 2> component_names = {
     {{"all", remesh::ComponentPolicy::keep_all},
      {"largest", remesh::ComponentPolicy::keep_largest}}};
 
+inline constexpr Names<dual::WallSide, 2> wall_side_names = {
+    {{"outwards", dual::WallSide::outwards}, {"inwards", dual::WallSide::inwards}}};
 inline constexpr Names<EdgeCap, 2> cap_names = {
     {{"none", EdgeCap::none}, {"hydrogen", EdgeCap::hydrogen}}};
 inline constexpr Names<potentials::Minimizer, 2> minimizer_names = {

@@ -57,6 +57,12 @@ struct AtomMap {
 /// in graphene, 11.6 in C60. Only atoms of three bonds have one.
 [[nodiscard]] AtomMap pyramidalization_map(const Bonding& bonding);
 
+/// The wall that an atom belongs to, counted from 1, the innermost.
+[[nodiscard]] AtomMap wall_map(std::span<const int> walls);
+
+/// What an atom's energy is lower for by the other walls [eV], < 0 where they attract it.
+[[nodiscard]] AtomMap wall_energy_map(std::vector<double> energies);
+
 /// Distances [Å] that were measured elsewhere, from 0: to a surface, or moved.
 [[nodiscard]] AtomMap distance_map(std::string name, std::string title,
                                    std::vector<double> distances);

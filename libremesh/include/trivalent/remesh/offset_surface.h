@@ -1,0 +1,21 @@
+#pragma once
+
+#include "trivalent/remesh/mesh.h"
+
+namespace trivalent::remesh {
+
+/// Triangulates the surface at a distance from another one: all points that are so far from it, on
+/// the side to which its normals point if the distance is > 0, on the other if it is < 0.
+///
+/// Narrow parts vanish and gaps close once the offset is wider than they are, so that the result
+/// may have other components and handles.
+///
+/// @param surface      Smooth and without boundary, free or periodic.
+/// @param edge_length  Mean edge length of the triangles, > 0, well below the distance.
+/// @throws InvalidMesh if the surface has a boundary, nothing is left at that distance, or the
+///   offset touches itself.
+///
+/// Cost: O(n) nearest points for n faces of the result.
+[[nodiscard]] TriMesh offset_surface(const TriMesh& surface, double distance, double edge_length);
+
+}  // namespace trivalent::remesh

@@ -1,0 +1,100 @@
+#include "trivalent/remesh/offset_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mesh/surface_projector.h"
+#include "sources/implicit_surface.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+/// Unit vectors across the periodic directions, one for each direction that is not periodic.
+std::vector<Eigen::Vector3d> free_directions(const Lattice& lattice) {
+  std::vector<Eigen::Vector3d> periodic;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (lattice.periodic()[k]) {
+      periodic.emplace_back(lattice.cell().col(static_cast<Eigen::Index>(k)));
+    }
+  }
+  if (periodic.size() == 3) return {};
+  if (periodic.size() == 2) return {periodic[0].cross(periodic[1]).normalized()};
+  const Eigen::Vector3d first = periodic[0].unitOrthogonal();
+  return {first, periodic[0].cross(first).normalized()};
+}
+
+/// The cell, as wide as the surface and the room around it in the directions that are not periodic.
+///
+/// @param center  set to the middle of the surface in these directions
+Lattice framed(const TriMesh& surface, double room, Eigen::Vector3d& center) {
+  const Lattice& lattice = surface.lattice;
+  Lattice::Cell cell = lattice.cell();
+  center.setZero();
+  const std::vector<Eigen::Vector3d> directions = free_directions(lattice);
+  auto next = directions.begin();
+  Eigen::Index last = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (lattice.periodic()[k]) continue;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const auto v : surface.vertices()) {
+      const double along = next->dot(surface.point(v));
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    center += 0.5 * (low + high) * *next;
+    last = static_cast<Eigen::Index>(k);
+    cell.col(last) = (high - low + 2.0 * room) * *next;
+    ++next;
+  }
+  // The grid of the polygonizer is right-handed.
+  if (cell.determinant() < 0.0) cell.col(last) *= -1.0;
+  return {cell, lattice.periodic()};
+}
+
+/// Without slivers, unless sheets come so near to each other that they would touch.
+TriMesh polygonized(ImplicitSurface& surface, double edge_length) {
+  try {
+    return polygonize(surface, edge_length);
+  } catch (const InvalidMesh&) {
+    surface.snaps = false;
+    return polygonize(surface, edge_length);
+  }
+}
+
+}  // namespace
+
+TriMesh offset_surface(const TriMesh& surface, double distance, double edge_length) {
+  if (std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); })) {
+    throw InvalidMesh("offset_surface: the surface has a boundary");
+  }
+  const SurfaceProjector projector(surface);
+  const double room = std::abs(distance) + 4.0 * edge_length;
+  ImplicitSurface offset;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  if (surface.lattice.is_periodic()) {
+    offset.lattice = framed(surface, room, center);
+  } else {
+    offset.box = bounding_box(surface);
+    offset.box.low.array() -= room;
+    offset.box.high.array() += room;
+  }
+  offset.value = [&](const Eigen::Vector3d& from_center) {
+    const Eigen::Vector3d p = center + from_center;
+    const SurfacePoint foot = projector.nearest(p);
+    const Eigen::Vector3d away = p - surface.lattice.near(p, foot.position);
+    const double side = away.dot(projector.normal(foot)) < 0.0 ? -1.0 : 1.0;
+    return side * away.norm() - distance;
+  };
+  TriMesh mesh = polygonized(offset, edge_length);
+  for (const auto v : mesh.vertices()) mesh.point(v) += center;
+  mesh.lattice = surface.lattice;
+  return mesh;
+}
+
+}  // namespace trivalent::remesh
