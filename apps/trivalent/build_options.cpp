@@ -26,7 +26,7 @@ void add_wall_options(po::options_description& options) {
   options.add_options()  //
       ("walls", with_default(defaults.count),
        "so many shells around each other; --atoms counts those of all, --length and --scale are of "
-       "the given surface")  //
+       "the given surface")                                                 //
       ("spacing", with_default(defaults.spacing), "from wall to wall [Å]")  //
       ("outwards", "SHAPE is the innermost wall (default)")                 //
       ("inwards", "SHAPE is the outermost wall");
@@ -69,7 +69,7 @@ Grammar grammar_of_build() {
   files.add_options()                                                                  //
       ("output,o", po::value<std::string>(), "folder for the results; must be given")  //
       ("cap", with_default_name(shell::EdgeCap::none, shell::cap_names),
-       "hydrogen: puts H on the atoms at the edge of an open shell")          //
+       "hydrogen: puts H on the atoms at the edge of an open shell")  //
       ("potential", po::value<std::string>(),
        "rebo or airebo, under which the atoms relax and have their energies; default: rebo, of "
        "several walls airebo")                                                //
@@ -100,8 +100,8 @@ BuildRequest build_request(const Session& session) {
                           .walls = wall_options(session)},
                 .cap = named_value(session, "cap", shell::cap_names),
                 .potential = potential(session),
-                .relaxation = session.has("no-relax") ? shell::Relaxation::none
-                                                      : shell::Relaxation::at_rest,
+                .relaxation =
+                    session.has("no-relax") ? shell::Relaxation::none : shell::Relaxation::at_rest,
                 .box = session.has("fix-box") ? potentials::BoxPolicy::fixed
                                               : potentials::BoxPolicy::pressure_free},
       .files = {.digits = digits(session),

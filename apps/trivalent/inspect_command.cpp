@@ -51,7 +51,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_inspect());
   if (!session) return done;
   const shell::InspectOptions options = {
-      .shell = {.size = shell_size(*session), .bond = session->find<double>("bond").value_or(dual::default_bond_length),
+      .shell = {.size = shell_size(*session),
+                .bond = session->find<double>("bond").value_or(dual::default_bond_length),
                 .method = {}},
       .repair = repair_options(*session)};
   const auto target = session->find<double>("edge");

@@ -88,7 +88,8 @@ void add_remesh_options(po::options_description& options) {
        "crystal: how long to search, quick, normal or thorough")  //
       ("follow", with_default_name(remesh::Follow::carbon, shell::follow_names),
        "crystal: how strongly the net is held to the surface: close, carbon (as far as a shell at "
-       "rest moves away), free (lowest energy), or a stiffness in eV/Å² for each ring: 0.02 is about "
+       "rest moves away), free (lowest energy), or a stiffness in eV/Å² for each ring: 0.02 is "
+       "about "
        "close, 0.006 carbon, 0.002 free")                        //
       ("seed", with_default(0), "crystal: of the random moves")  //
       ("feature-angle", po::value<double>(),

@@ -25,10 +25,10 @@ void allow_one(const Session& session, std::initializer_list<const char*> names)
 
 void add_shell_size_options(po::options_description& options) {
   const dual::ShellOptions defaults;
-  const std::string bond_help = "mean bond length wanted [Å]; default: " +
-                                shell::significant(defaults.bond) + ", of several walls " +
-                                shell::significant(shell::usual_bond_length({.name = "airebo"})) +
-                                ", which suits AIREBO";
+  const std::string bond_help =
+      "mean bond length wanted [Å]; default: " + shell::significant(defaults.bond) +
+      ", of several walls " + shell::significant(shell::usual_bond_length({.name = "airebo"})) +
+      ", which suits AIREBO";
   const std::string atoms_help = "about so many atoms; default, if no size is given: " +
                                  std::to_string(std::get<dual::AtomCount>(defaults.size).atoms);
   options.add_options()                                //

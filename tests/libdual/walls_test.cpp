@@ -140,7 +140,8 @@ TEST(BuildShell, SaysHowManyWallsFit) {
   options.walls.spacing = 8.0;
   const remesh::TriMesh torus = remesh::make_shape("torus", {{"R", 14.0}, {"r", 6.0}}, 1.0);
   EXPECT_NE(message_of(torus, options).find("only 1 wall fits"), std::string::npos);
-  const remesh::TriMesh open = remesh::make_shape("open-tube", {{"radius", 6.0}, {"length", 20.0}}, 1.0);
+  const remesh::TriMesh open =
+      remesh::make_shape("open-tube", {{"radius", 6.0}, {"length", 20.0}}, 1.0);
   EXPECT_NE(message_of(open, three_walls()).find("boundary"), std::string::npos);
   for (const dual::WallOptions& wrong :
        {dual::WallOptions{.count = 0}, dual::WallOptions{.count = 101},

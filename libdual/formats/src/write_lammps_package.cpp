@@ -124,15 +124,15 @@ LammpsPackage write_lammps_package(const fs::path& folder, const Structure& stru
   const LammpsFrame frame = lammps_frame(structure.atoms);
   const Structure turned = {.atoms = frame.atoms, .bonds = structure.bonds};
   std::vector<std::string> names = write_data_files(folder, turned, options);
-  LammpsDeckOptions deck = {.data_files = names,
-                            .style = options.data.style,
-                            .angles = options.data.angles,
-                            .periodic = structure.atoms.box.periodic,
-                            .has_hydrogen = has_hydrogen(structure.atoms),
-                            .potential = options.potential,
-                            .potential_file = options.potential_file.value_or(
-                                file_name_of(options.potential)),
-                            .pair_style = options.pair_style};
+  LammpsDeckOptions deck = {
+      .data_files = names,
+      .style = options.data.style,
+      .angles = options.data.angles,
+      .periodic = structure.atoms.box.periodic,
+      .has_hydrogen = has_hydrogen(structure.atoms),
+      .potential = options.potential,
+      .potential_file = options.potential_file.value_or(file_name_of(options.potential)),
+      .pair_style = options.pair_style};
   if (!options.pair_style) deck.expected_energy = energy;
   const auto write = [&](const std::string& name, const auto& contents) {
     remesh::write_whole_file(folder / name, contents);

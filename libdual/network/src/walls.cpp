@@ -65,8 +65,8 @@ std::vector<int> walls_of(const Structure& structure) {
   for (const Column& column : structure.columns) {
     const auto* walls = std::get_if<std::vector<int>>(&column.values);
     if (column.name != wall_column || walls == nullptr) continue;
-    const bool is_one = std::ranges::adjacent_find(*walls, std::ranges::not_equal_to()) ==
-                        walls->end();
+    const bool is_one =
+        std::ranges::adjacent_find(*walls, std::ranges::not_equal_to()) == walls->end();
     if (walls->size() == structure.atoms.size() && !is_one) return *walls;
   }
   return {};
@@ -91,10 +91,9 @@ std::vector<WallReport> check_walls(const Structure& structure) {
 int bonds_between_walls(const Structure& structure) {
   const std::vector<int> walls = walls_of(structure);
   if (walls.empty()) return 0;
-  return static_cast<int>(
-      std::ranges::count_if(structure.bonds, [&](const potentials::Bond& bond) {
-        return walls[bond.first] != walls[bond.second];
-      }));
+  return static_cast<int>(std::ranges::count_if(structure.bonds, [&](const potentials::Bond& bond) {
+    return walls[bond.first] != walls[bond.second];
+  }));
 }
 
 }  // namespace trivalent::dual

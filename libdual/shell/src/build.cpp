@@ -140,8 +140,7 @@ remesh::TriMesh Build::given_wall_of(const remesh::TriMesh& net) const {
   if (walls.empty()) return net;
   std::vector<std::array<int, 3>> triangles = remesh::triangles_of(net);
   std::size_t face = 0;
-  std::erase_if(triangles,
-                [&](const auto&) { return walls[face++] != result.shell.given_wall; });
+  std::erase_if(triangles, [&](const auto&) { return walls[face++] != result.shell.given_wall; });
   remesh::TriMesh wall = remesh::make_mesh({net.points(), net.n_vertices()}, triangles);
   wall.lattice = net.lattice;
   return wall;
@@ -250,7 +249,8 @@ void Build::evaluate() {
   note_findings(result);
 }
 
-/// Brings the atoms of the shell to rest under the potential. A stop keeps them where they have come.
+/// Brings the atoms of the shell to rest under the potential. A stop keeps them where they have
+/// come.
 void Build::relax() {
   begin(BuildStep::relax);
   dual::Structure& structure = result.shell.structure;

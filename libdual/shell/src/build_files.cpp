@@ -16,10 +16,10 @@ void write_build(const std::filesystem::path& folder, const BuildResult& result,
   remesh::write_mesh(result.shell.surface.mesh, folder / "surface.off");
   const dual::Structure structure = result.structure();
   dual::write_xyz(folder / "shell.extxyz", structure, options.digits);
-  dual::write_lammps_package(folder, structure, result.energy.energy,
-                             {.data = {.style = options.atom_style, .digits = options.digits},
-                              .potential = find_potential(result.potential)
-                                               .lammps.value_or(dual::LammpsPotential::rebo)});
+  dual::write_lammps_package(
+      folder, structure, result.energy.energy,
+      {.data = {.style = options.atom_style, .digits = options.digits},
+       .potential = find_potential(result.potential).lammps.value_or(dual::LammpsPotential::rebo)});
   for (const std::string& name : options.formats) {
     const dual::StructureFormat& format = dual::structure_format(name);
     dual::write_structure(folder / ("shell" + format.extensions.front()), structure,

@@ -102,9 +102,9 @@ class SharedProgress {
 
 /// The method for the net of a further wall.
 remesh::RemeshMethod method_of_wall(remesh::RemeshMethod method) {
-  // Graphite's layers hold a vertex, that is two atoms of 2.6 Å² each, with 0.36 eV/Å² (c33 = 36.5 GPa
-  // over 3.35 Å [Blakslee1970]), and more once they come nearer. On onions of 5,000 atoms, half of
-  // that lets walls come within 2.1 Å; three times that leaves scars of pairs on the outer ones.
+  // Graphite's layers hold a vertex, that is two atoms of 2.6 Å² each, with 0.36 eV/Å² (c33 = 36.5
+  // GPa over 3.35 Å [Blakslee1970]), and more once they come nearer. On onions of 5,000 atoms, half
+  // of that lets walls come within 2.1 Å; three times that leaves scars of pairs on the outer ones.
   constexpr double stiffness = 0.5;  // [eV/Å²]
   auto* crystal = std::get_if<remesh::CrystalOptions>(&method);
   if (crystal != nullptr) crystal->stiffness = stiffness;
@@ -217,9 +217,9 @@ Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
     int wall = 0;
     const double edge_length = edge_length_for_bond(options.bond);
     add_walls(shell, options.walls, edge_length, [&](const TriMesh& surface, double faces) {
-      const remesh::RemeshMethod method = with_shared_progress(
-          with_faces(method_of_wall(method_at_rest(options.method)), faces), ++wall,
-          options.walls.count);
+      const remesh::RemeshMethod method =
+          with_shared_progress(with_faces(method_of_wall(method_at_rest(options.method)), faces),
+                               ++wall, options.walls.count);
       return remesh::remesh_by(surface, method, edge_length);
     });
   }

@@ -20,9 +20,9 @@ namespace {
 using remesh::TriMesh;
 
 constexpr int max_walls = 100;
-/// A facet moved inwards shrinks, one moved outwards is joined to the next by a rounded corner: mean
-/// radii of faceted cages change by more and by less than the offset. By these factors of it, onions
-/// of 5,000 atoms at rest under AIREBO have the spacing.
+/// A facet moved inwards shrinks, one moved outwards is joined to the next by a rounded corner:
+/// mean radii of faceted cages change by more and by less than the offset. By these factors of it,
+/// onions of 5,000 atoms at rest under AIREBO have the spacing.
 constexpr double outward_factor = 1.006;
 constexpr double inward_factor = 0.95;
 
@@ -102,12 +102,11 @@ class Walls {
   /// The surface of the next wall.
   TriMesh next_surface() {
     const TriMesh& last = nets_.back();
-    const double distance = options_.spacing * (options_.side == WallSide::outwards
-                                                    ? outward_factor
-                                                    : -inward_factor);
+    const double distance =
+        options_.spacing * (options_.side == WallSide::outwards ? outward_factor : -inward_factor);
     // Triangles half as long as the net's look smooth to the next net.
-    const double edge_length = std::min(0.5 * remesh::mean_edge_length(last),
-                                        0.5 * options_.spacing);
+    const double edge_length =
+        std::min(0.5 * remesh::mean_edge_length(last), 0.5 * options_.spacing);
     std::optional<TriMesh> offset;
     try {
       offset = remesh::offset_surface(last, distance, edge_length);
@@ -122,14 +121,14 @@ class Walls {
       refuse("another would merge across a gap or a hole of the shape");
     }
     if (kept.left_out > 0) {
-      shell_.notes.push_back(concat("wall ", number, ": ", kept.left_out,
-                                    " parts too narrow for it are left out"));
+      shell_.notes.push_back(
+          concat("wall ", number, ": ", kept.left_out, " parts too narrow for it are left out"));
     }
     return std::move(kept.mesh);
   }
 
-  /// How many faces a net of the next surface needs to be at rest: as many more as the area grows. A
-  /// net has more than fit its own area, as it cuts off what is curved between its vertices.
+  /// How many faces a net of the next surface needs to be at rest: as many more as the area grows.
+  /// A net has more than fit its own area, as it cuts off what is curved between its vertices.
   [[nodiscard]] double faces_on(const TriMesh& surface, double edge_length) const {
     const TriMesh& last = nets_.back();
     const double face_area = remesh::unit_triangle_area * edge_length * edge_length;
@@ -171,11 +170,10 @@ class Walls {
  private:
   [[noreturn]] void refuse(const std::string& reason) const {
     const std::size_t n = nets_.size();
-    throw remesh::InvalidMesh(concat("build: only ", n, n == 1 ? " wall fits " : " walls fit ",
-                                     options_.spacing, " Å apart ",
-                                     options_.side == WallSide::inwards ? "inwards" : "outwards",
-                                     ": ", reason, "; ask for --walls ", n,
-                                     ", another side, or a larger shell"));
+    throw remesh::InvalidMesh(
+        concat("build: only ", n, n == 1 ? " wall fits " : " walls fit ", options_.spacing,
+               " Å apart ", options_.side == WallSide::inwards ? "inwards" : "outwards", ": ",
+               reason, "; ask for --walls ", n, ", another side, or a larger shell"));
   }
 
   Shell& shell_;

@@ -24,8 +24,8 @@ void check_walls(const WallOptions& walls);
 /// Makes the net of a surface in Å with about so many faces.
 using NetMaker = std::function<remesh::RemeshResult(const remesh::TriMesh&, double faces)>;
 
-/// Adds walls to a shell of one, net by net: each is a net of the surface at the given distance from
-/// the net before, so that walls follow each other where they leave the surface.
+/// Adds walls to a shell of one, net by net: each is a net of the surface at the given distance
+/// from the net before, so that walls follow each other where they leave the surface.
 ///
 /// @param edge_length  Of the nets at rest [Å].
 /// @throws remesh::InvalidMesh if there is no room for so many; the message says for how many.

@@ -60,8 +60,8 @@ RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
   check_remeshable(mesh, {.target_edge_length = options.target_edge_length,
                           .feature_angle = options.feature_angle});
   if (options.stiffness && !(*options.stiffness > 0.0 && std::isfinite(*options.stiffness))) {
-    throw InvalidOption(concat("crystallize: the tether's stiffness must be > 0 and finite, but is ",
-                               *options.stiffness));
+    throw InvalidOption(concat(
+        "crystallize: the tether's stiffness must be > 0 and finite, but is ", *options.stiffness));
   }
   const TriMesh surface = with_edges_divided(mesh, options.target_edge_length);
   const Creases creases = find_creases(surface, options.feature_angle);

@@ -8,7 +8,7 @@ namespace trivalent::potentials::rebo_detail {
 
 namespace {
 
-constexpr double skin = 1.0;  // [Å]
+constexpr double skin = 1.0;                       // [Å]
 constexpr double reach = nonbonded_end.end * 3.4;  // σ of carbon, the longest of all [Å]
 
 bool is_same_box(const Box& a, const Box& b) {
@@ -70,8 +70,7 @@ ImagePair FarPairs::pair_of(const Point& from, const Point& to) {
   return pair;
 }
 
-void FarPairs::find_separations(std::size_t center, const Atoms& atoms,
-                                Separations& found) const {
+void FarPairs::find_separations(std::size_t center, const Atoms& atoms, Separations& found) const {
   constexpr double begin = far_from * far_from;
   constexpr double unclear = begin * rounding_margin * rounding_margin;
   constexpr double end = reach * reach;

@@ -39,8 +39,8 @@ constexpr double far_from = 3.816370964;  // 2^(1/6) σ of carbon, the longest o
   return {value * kept, slope * kept - value * 0.5 * r * inverse * fall};
 }
 
-/// The Lennard-Jones energies of all pairs that are not nearer than far_from, whatever bonds connect
-/// them.
+/// The Lennard-Jones energies of all pairs that are not nearer than far_from, whatever bonds
+/// connect them.
 ///
 /// Neighbors are kept until an atom has moved by half a skin or the box has changed.
 class FarPairs {

@@ -9,15 +9,15 @@
 namespace trivalent::potentials::relax_detail {
 
 /// Preconditioner [Packwood2016]: the stiffness of a network whose bonds are springs of one
-/// stiffness, isotropic.
+/// stiffness, isotropic, and in which pieces that no bond connects hold each other where they
+/// touch.
 ///
 /// It removes the slow stretching modes of large pieces from a minimization and leaves the bending
 /// modes. It depends on the network only and is factorized once.
 class BondLaplacian {
  public:
-  /// @param n_atoms  number of atoms
-  /// @param fixed    atoms that do not move
-  BondLaplacian(std::size_t n_atoms, std::span<const Bond> bonds,
+  /// @param fixed  atoms that do not move
+  BondLaplacian(const Atoms& atoms, std::span<const Bond> bonds,
                 std::span<const std::uint32_t> fixed);
 
   /// Replaces forces [eV/Å] on all coordinates by the displacements [Å] at which they would vanish.

@@ -19,7 +19,7 @@ void Relaxation::set_bonds(std::vector<Bond> bonds) {
   bonds_ = std::move(bonds);
   preconditioner_.reset();
   if (options_.minimizer == Minimizer::fire || bonds_.empty()) return;
-  preconditioner_.emplace(result_.atoms.size(), bonds_, options_.fixed);
+  preconditioner_.emplace(result_.atoms, bonds_, options_.fixed);
 }
 
 RelaxResult Relaxation::run() && {

@@ -21,8 +21,8 @@ struct FeatureLines {
 /// 16π on a sphere of any size. Twice a plate's bending energy is this times its rigidity.
 [[nodiscard]] double bending_integral(const TriMesh& mesh);
 
-/// ∫ H dA for the mean curvature H, > 0 where the surface is convex: 4πR on a sphere. The surface at
-/// a distance d has the area A + 2d ∫ H dA + d² ∫ K dA [Steiner1840].
+/// ∫ H dA for the mean curvature H, > 0 where the surface is convex: 4πR on a sphere. The surface
+/// at a distance d has the area A + 2d ∫ H dA + d² ∫ K dA [Steiner1840].
 [[nodiscard]] double mean_curvature_integral(const TriMesh& mesh);
 
 /// Parts of a net that bend too tightly for its edges.

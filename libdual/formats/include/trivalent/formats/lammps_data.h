@@ -39,7 +39,8 @@ inline constexpr std::uint64_t max_lammps_atoms = 2147483647;
 void require_lammps_ids(std::uint64_t atoms);
 
 /// Writes a data file [LAMMPS]: ids are 1 to n in order, C is type 1 and H type 2 (if there are
-/// any). In molecular style every wall is a molecule. Atoms that are periodic in no direction and have no box get a padded one.
+/// any). In molecular style every wall is a molecule. Atoms that are periodic in no direction and
+/// have no box get a padded one.
 ///
 /// @throws InvalidNetwork if a coordinate is not finite, species are not one per atom, a bond names
 ///   an atom that does not exist, or there are too many atoms.

@@ -37,8 +37,8 @@ struct LammpsDeckOptions {
   LammpsPotential potential = LammpsPotential::rebo;
   std::string potential_file = "CH.rebo";    ///< `lmp -var potential FILE` overrides it
   std::optional<PairStyle> pair_style = {};  ///< instead of the potential and its file
-  /// Total of the data under the potential [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9 of its
-  /// size.
+  /// Total of the data under the potential [eV]; LAMMPS must find it to 1e-8 eV per atom and 1e-9
+  /// of its size.
   std::optional<double> expected_energy = {};
 };
 

@@ -13,7 +13,7 @@ enum class Compression { none, gzip };
 
 struct LammpsPackageOptions {
   LammpsDataOptions data = {};
-  std::string name = "shell";                ///< of the data file, without extension
+  std::string name = "shell";  ///< of the data file, without extension
   LammpsPotential potential = LammpsPotential::rebo;
   /// As pair_coeff finds it; if empty, CH.rebo or CH.airebo in LAMMPS's own folder.
   std::optional<std::string> potential_file = {};
@@ -34,7 +34,8 @@ struct LammpsPackage {
 /// the README says by which rotation.
 ///
 /// @param folder  exists
-/// @param energy  of the atoms under the potential [eV], for in.check; not used with another pair style
+/// @param energy  of the atoms under the potential [eV], for in.check; not used with another pair
+/// style
 /// @throws InvalidNetwork, InvalidOption as write_lammps_data and write_lammps_check; InvalidOption
 ///   also if atoms_per_file is 0, the atoms need several files in molecular style, or there are no
 ///   bonds for it.

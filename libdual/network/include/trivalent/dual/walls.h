@@ -19,8 +19,8 @@ inline constexpr const char* wall_column = "wall";
 struct WallReport {
   int wall = 0;
   NetworkReport network = {};
-  /// From its atoms to the nearest atom of the wall before, on average [Å]. None of the first, or if
-  /// an atom has none within 8 Å.
+  /// From its atoms to the nearest atom of the wall before, on average [Å]. None of the first, or
+  /// if an atom has none within 8 Å.
   std::optional<double> gap = {};
   std::optional<AtomPair> closest = {};  ///< an atom of it and the nearest of another wall, if any
 };

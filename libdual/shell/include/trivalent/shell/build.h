@@ -74,7 +74,7 @@ struct BuildResult {
   dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
   dual::HydrogenCaps caps = {};
   PotentialChoice potential = {};
-  double graphene = 0.0;                 ///< an atom's energy in graphene under the potential [eV]
+  double graphene = 0.0;  ///< an atom's energy in graphene under the potential [eV]
   potentials::EnergyForces energy = {};
   std::vector<dual::WallReport> walls = {};  ///< if there are several
   /// What each atom's energy is lower for by the other walls [eV]; empty if there is one.

@@ -80,7 +80,8 @@ struct Shell {
 /// @throws InvalidOption         if size or bond is out of its range.
 /// @throws InvalidNetwork        if the mesh has no faces or no extent, or the remeshed one no
 /// dual.
-/// @throws remesh::InvalidMesh   if there is no room for so many walls; the message says for how many.
+/// @throws remesh::InvalidMesh   if there is no room for so many walls; the message says for how
+/// many.
 /// @throws remesh::InvalidOption as remesh().
 [[nodiscard]] Shell build_shell(const remesh::TriMesh& mesh, const ShellOptions& options);
 

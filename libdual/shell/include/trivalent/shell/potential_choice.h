@@ -53,8 +53,8 @@ struct KnownPotential {
 /// Name and parameters with every bit: equal for equal potentials.
 [[nodiscard]] std::string exact_text(const PotentialChoice& choice);
 
-/// Energy of an atom of graphene at rest under the potential [eV]; under lj, which makes no bonds, at
-/// REBO's bond length; 0 if only LAMMPS computes it.
+/// Energy of an atom of graphene at rest under the potential [eV]; under lj, which makes no bonds,
+/// at REBO's bond length; 0 if only LAMMPS computes it.
 [[nodiscard]] double graphene_reference(const PotentialChoice& choice);
 
 /// Mean bond length to build shells with [Å]: about that of graphene under the potential.

@@ -24,7 +24,8 @@ struct ShellState {
 };
 
 /// Maps of a structure's ring sizes, coordinations, bond strains (against graphene's bond) and
-/// curvatures, and of its walls if it has several; bonds and rings are found where they are not known.
+/// curvatures, and of its walls if it has several; bonds and rings are found where they are not
+/// known.
 ///
 /// @throws InvalidNetwork         as check_network.
 /// @throws potentials::InvalidAtoms as find_bonds.
