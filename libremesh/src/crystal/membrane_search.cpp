@@ -124,27 +124,39 @@ Bond bond_of(const CrystalOptions& options) {
   throw InvalidOption("crystallize: unknown strength of following");
 }
 
-/// Whether the net is held to the surface up to the end, whatever the shape.
+/// Whether the net is held to the surface up to the end, equally on every shape.
 bool is_held(const CrystalOptions& options) {
   return options.stiffness || options.follow == Follow::close;
 }
 
-/// How much weaker the bond is on a smooth shape. Buckling by a given part of the radius costs the
-/// tether R⁴, and gains what scars of pairs cost, R: without this, spheres of more than 10,000
-/// atoms keep their scars. On a sphere of 20,000 atoms an exponent of 4 leaves fewer of them
-/// than 3.
-double slackening(const TriMesh& surface, double area) {
-  constexpr double radius = 40.0;  // [Å] up to which nothing changes
-  constexpr double exponent = 4.0;
-  // 1/H for the root mean square of the mean curvature: the radius of a sphere.
+/// 1/H for the root mean square of the mean curvature H: the radius of a sphere.
+double mean_radius(const TriMesh& surface, double area) {
   double bending = bending_integral(surface);
   if (surface.lattice.is_periodic()) {
     // Minimal surfaces bend without mean curvature: ∫ k1² + k2² dA, of a sphere as large.
     const double gaussian = 2.0 * std::numbers::pi * euler_characteristic(surface);
     bending = 2.0 * (bending - 2.0 * gaussian);
   }
-  const double smoothness = std::sqrt(4.0 * area / bending);
-  return std::min(1.0, std::pow(radius / smoothness, exponent));
+  return std::sqrt(4.0 * area / bending);
+}
+
+/// How much stiffer than on shapes of middling size the tether is, from the curvature.
+double tether_factor(const TriMesh& surface, double area) {
+  const double radius = mean_radius(surface, area);
+  // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
+  // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000 atoms
+  // an exponent of 4 leaves fewer of them than 3.
+  constexpr double large = 40.0;  // [Å]
+  if (radius > large) return std::pow(large / radius, 4.0);
+  // A net that may leave a small shape by several Å takes another one, with defects of its own:
+  // arms of a junction become a pyramid. Spheres of up to 960 atoms, tori, capsules, P and gyroid
+  // have lower energies when they are held, a sphere of 2,160 atoms when it is not. Rough shapes
+  // have smaller radii of curvature than their size allows for.
+  constexpr double small = 21.0;           // [Å]
+  constexpr double sides_of_radius = 7.0;  // √area of smooth shapes, at most
+  constexpr double max_factor = 33.0;
+  const double size = std::max(radius, std::sqrt(area) / sides_of_radius);
+  return std::clamp(std::pow(small / size, 6.5), 1.0, max_factor);
 }
 
 class MembraneSearch {
@@ -156,7 +168,7 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
-        slackening_(is_held(options) ? 1.0 : slackening(surface_, area_)),
+        tether_factor_(is_held(options) ? 1.0 : tether_factor(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
 
@@ -237,9 +249,10 @@ class MembraneSearch {
     const Bond bond = bond_of(options_);
     Membrane membrane;
     membrane.length = level.coarseness * Membrane::fine_length;
-    membrane.tether = slackening_ * bond.tether;
-    membrane.cover = slackening_ * bond.cover;
-    membrane.slack = bond.slack;
+    const bool is_stiffer = tether_factor_ > 1.0;
+    membrane.tether = tether_factor_ * bond.tether;
+    membrane.cover = (is_stiffer ? std::sqrt(tether_factor_) : tether_factor_) * bond.cover;
+    membrane.slack = bond.slack / (is_stiffer ? std::sqrt(tether_factor_) : 1.0);
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
     membrane.octagon = level.octagon;
@@ -360,7 +373,7 @@ class MembraneSearch {
   const CrystalOptions& options_;
   SearchWatch& watch_;
   double area_;
-  double slackening_;  // of the bond, at most 1
+  double tether_factor_;
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came
 };

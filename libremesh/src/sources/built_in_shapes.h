@@ -18,6 +18,16 @@ namespace trivalent::remesh {
 // double_torus.cpp
 [[nodiscard]] TriMesh double_torus(const Request& request);
 
+// junctions.cpp
+[[nodiscard]] TriMesh y_junction(const Request& request);
+[[nodiscard]] TriMesh t_junction(const Request& request);
+[[nodiscard]] TriMesh x_junction(const Request& request);
+[[nodiscard]] TriMesh tetrapod(const Request& request);
+[[nodiscard]] TriMesh six_arm_junction(const Request& request);
+[[nodiscard]] TriMesh cubic_network(const Request& request);
+[[nodiscard]] TriMesh diamond_network(const Request& request);
+[[nodiscard]] TriMesh honeycomb_network(const Request& request);
+
 // periodic_shapes.cpp
 [[nodiscard]] TriMesh schwarz_p(const Request& request);
 [[nodiscard]] TriMesh schwarz_d(const Request& request);

@@ -21,6 +21,14 @@ const std::vector<BuiltInShape>& shape_table() {
   static const ShapeParameter minor{"r", 0.4, "radius of the tube"};
   static const ShapeParameter cell{"a", 1.0, "edge of the cell"};
   constexpr double necks = 20.0;  // a cell has several
+  const std::vector<ShapeParameter> arms = {
+      {"radius", 1.0, "radius of the tubes"},
+      {"length", 4.0, "from the middle to the hemisphere that closes an arm, or to its open end"},
+      {"neck", 1.0, "radius of the fillets between arms, about"},
+      {"open", 0.0, "1: arms are open; 0: closed"}};
+  const std::vector<ShapeParameter> tubes = {{"a", 6.0, "edge of the cell"},
+                                             {"radius", 1.0, "radius of the tubes"},
+                                             {"neck", 1.0, "radius of the fillets, about"}};
   static const std::vector<BuiltInShape> table = {
       {{"sphere", "sphere", {radius}}, sphere},
       {{"ellipsoid",
@@ -49,6 +57,25 @@ const std::vector<BuiltInShape>& shape_table() {
          {"amplitude", 0.1, "amplitude; may be 0 or negative"},
          {"wavelength", 1.0, "wavelength along x and y"}}},
        wavy_sheet},
+      {{"y-junction", "three tubes at 120 degrees to each other", arms}, y_junction},
+      {{"t-junction", "a tube that meets another at a right angle", arms}, t_junction},
+      {{"x-junction", "two tubes that cross at right angles", arms}, x_junction},
+      {{"tetrapod", "four tubes towards the corners of a tetrahedron", arms}, tetrapod},
+      {{"six-arm-junction", "three tubes that cross at right angles", arms}, six_arm_junction},
+      {{"cubic-network", "periodic: tubes along the edges of a cubic lattice", tubes},
+       cubic_network},
+      {{"diamond-network",
+        "periodic: tubes along the bonds of diamond, in its cubic cell",
+        {{"a", 14.0, "edge of the cell"},
+         {"radius", 1.0, "radius of the tubes"},
+         {"neck", 1.0, "radius of the fillets, about"}}},
+       diamond_network},
+      {{"honeycomb-network",
+        "periodic along x and y: tubes along the bonds of a honeycomb",
+        {{"a", 10.0, "edge of the cell"},
+         {"radius", 1.0, "radius of the tubes"},
+         {"neck", 1.0, "radius of the fillets, about"}}},
+       honeycomb_network},
       {{"schwarz-p", "periodic: Schwarz' P surface in its cubic cell", {cell}, necks}, schwarz_p},
       {{"schwarz-d",
         "periodic: Schwarz' D surface in a cubic cell of two by two by two",

@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mesh/geometry.h"
+#include "sources/built_in_shapes.h"
+#include "sources/implicit_surface.h"
+#include "trivalent/remesh/error.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Center line of a tube.
+struct Segment {
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+};
+
+/// From a point so far beside the middle of a segment.
+double distance_to(const Segment& segment, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d along = segment.to - segment.from;
+  const double t = std::clamp((p - segment.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - segment.from - t * along).norm();
+}
+
+/// Distance to tubes of one radius that are joined smoothly: a soft minimum of the distances to each.
+/// Its gradient is a weighted mean of gradients of length 1, no longer than 1.
+class JoinedTubes {
+ public:
+  /// @param neck  about the radius of the fillets between tubes
+  JoinedTubes(std::vector<Segment> segments, double radius, double neck)
+      : segments_(std::move(segments)), radius_(radius), blend_(0.25 * neck) {}
+
+  double operator()(const Eigen::Vector3d& p) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& segment : segments_) {
+      nearest = std::min(nearest, distance_to(segment, p));
+    }
+    double sum = 0.0;
+    for (const Segment& segment : segments_) {
+      sum += std::exp((nearest - distance_to(segment, p)) / blend_);
+    }
+    return nearest - blend_ * std::log(sum) - radius_;
+  }
+
+  /// The tube that a point belongs to.
+  [[nodiscard]] std::size_t nearest(const Eigen::Vector3d& p) const {
+    const auto distance = [&](const Segment& segment) { return distance_to(segment, p); };
+    return static_cast<std::size_t>(std::ranges::min_element(segments_, {}, distance) -
+                                    segments_.begin());
+  }
+
+ private:
+  std::vector<Segment> segments_;
+  double radius_;
+  double blend_;
+};
+
+/// Takes away what lies beyond a plane across the end of a tube.
+void cut_off(TriMesh& mesh, const JoinedTubes& tubes, std::size_t tube, const Segment& segment) {
+  const Eigen::Vector3d along = (segment.to - segment.from).normalized();
+  const auto height = [&](const Eigen::Vector3d& p) { return (p - segment.to).dot(along); };
+  const auto belongs = [&](const Eigen::Vector3d& p) { return tubes.nearest(p) == tube; };
+  // Vertices next to the plane move onto it, so that no edge is cut near its end.
+  constexpr double close = 0.25;
+  for (const auto v : mesh.vertices()) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto h : v.outgoing_halfedges()) {
+      shortest = std::min(shortest, std::sqrt(squared_length(mesh, h)));
+    }
+    const double above = height(mesh.point(v));
+    if (belongs(mesh.point(v)) && std::abs(above) < close * shortest) {
+      mesh.point(v) -= above * along;
+    }
+  }
+  const double flat = 1e-9 * segment.to.norm();
+  const std::size_t n_edges = mesh.n_edges();
+  for (std::size_t i = 0; i < n_edges; ++i) {
+    const EdgeHandle e(static_cast<int>(i));
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    const Eigen::Vector3d a = mesh.point(mesh.from_vertex_handle(h));
+    const Eigen::Vector3d b = mesh.point(mesh.to_vertex_handle(h));
+    const double from = height(a);
+    const double to = height(b);
+    if (!belongs(a) || std::min(from, to) > -flat || std::max(from, to) < flat) continue;
+    mesh.split(e, Eigen::Vector3d(a + from / (from - to) * (b - a)));
+  }
+  for (const auto f : mesh.faces()) {
+    const Eigen::Vector3d middle = face_centroid(mesh, f);
+    if (belongs(middle) && height(middle) > 0.0) mesh.delete_face(f, true);
+  }
+  mesh.garbage_collection();
+}
+
+/// Tubes that leave the origin.
+TriMesh junction(const Request& request, const std::vector<Eigen::Vector3d>& directions) {
+  check_positive(request, {"radius", "length", "neck"});
+  const double radius = request.at("radius");
+  const double length = request.at("length");
+  const double neck = request.at("neck");
+  const double open = request.at("open");
+  if (open != 0.0 && open != 1.0) {
+    throw InvalidOption(concat("make_shape: ", request.shape, ": open is 0 or 1, not ", open));
+  }
+  check_face_count(request, 2.0 * pi * radius * (length + radius) *
+                                static_cast<double>(directions.size()));
+  (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
+  // Tubes that are to be cut go on for a while.
+  const double end = length + open * 4.0 * request.edge_length;
+  std::vector<Segment> segments;
+  std::vector<Segment> arms;
+  for (const Eigen::Vector3d& direction : directions) {
+    const Eigen::Vector3d unit = direction.normalized();
+    segments.push_back({Eigen::Vector3d::Zero(), end * unit});
+    arms.push_back({Eigen::Vector3d::Zero(), length * unit});
+  }
+  const JoinedTubes tubes(std::move(segments), radius, neck);
+  const double room = end + radius + neck + 2.0 * request.edge_length;
+  const BoundingBox box = {.low = Eigen::Vector3d::Constant(-room),
+                           .high = Eigen::Vector3d::Constant(room)};
+  TriMesh mesh = polygonize({.value = tubes, .box = box}, request.edge_length);
+  for (std::size_t k = 0; open == 1.0 && k < arms.size(); ++k) cut_off(mesh, tubes, k, arms[k]);
+  return mesh;
+}
+
+/// Tubes along segments that repeat with a lattice.
+TriMesh network(const Request& request, const Lattice& lattice, const std::vector<Segment>& edges) {
+  check_positive(request, {"a", "radius", "neck"});
+  const double radius = request.at("radius");
+  double length = 0.0;
+  for (const Segment& edge : edges) length += (edge.to - edge.from).norm();
+  check_face_count(request, 2.0 * pi * radius * length);
+  (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
+  // All images that a point of the cell may be near to.
+  std::vector<Segment> images = edges;
+  const double reach = 2.0 * (radius + request.at("neck")) + request.at("a");
+  for (const Eigen::Vector3d& shift : lattice.translations_within(reach)) {
+    for (const Segment& edge : edges) images.push_back({edge.from + shift, edge.to + shift});
+  }
+  const JoinedTubes tubes(std::move(images), radius, request.at("neck"));
+  return polygonize({.value = tubes, .box = {}, .lattice = lattice}, request.edge_length);
+}
+
+}  // namespace
+
+TriMesh y_junction(const Request& request) {
+  const double sine = 0.5 * std::sqrt(3.0);
+  return junction(request, {{1.0, 0.0, 0.0}, {-0.5, sine, 0.0}, {-0.5, -sine, 0.0}});
+}
+
+TriMesh t_junction(const Request& request) {
+  return junction(request, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+}
+
+TriMesh x_junction(const Request& request) {
+  return junction(request, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}});
+}
+
+TriMesh tetrapod(const Request& request) {
+  return junction(request, {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}});
+}
+
+TriMesh six_arm_junction(const Request& request) {
+  return junction(request, {{1.0, 0.0, 0.0},
+                            {-1.0, 0.0, 0.0},
+                            {0.0, 1.0, 0.0},
+                            {0.0, -1.0, 0.0},
+                            {0.0, 0.0, 1.0},
+                            {0.0, 0.0, -1.0}});
+}
+
+TriMesh cubic_network(const Request& request) {
+  const double a = request.at("a");
+  const Eigen::Vector3d node = Eigen::Vector3d::Zero();
+  std::vector<Segment> edges;
+  for (int k = 0; k < 3; ++k) edges.push_back({node, a * Eigen::Vector3d::Unit(k)});
+  return network(request, Lattice(a * Eigen::Matrix3d::Identity(), {true, true, true}), edges);
+}
+
+TriMesh diamond_network(const Request& request) {
+  const double a = request.at("a");
+  std::vector<Segment> edges;
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.0, 0.5, 0.5),
+                                        Eigen::Vector3d(0.5, 0.0, 0.5), Eigen::Vector3d(0.5, 0.5, 0.0)}) {
+    const Eigen::Vector3d node = a * (corner + Eigen::Vector3d::Constant(0.25));
+    for (const Eigen::Vector3d& step :
+         {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(1.0, -1.0, -1.0),
+          Eigen::Vector3d(-1.0, 1.0, -1.0), Eigen::Vector3d(-1.0, -1.0, 1.0)}) {
+      edges.push_back({node, node + 0.25 * a * step});
+    }
+  }
+  return network(request, Lattice(a * Eigen::Matrix3d::Identity(), {true, true, true}), edges);
+}
+
+TriMesh honeycomb_network(const Request& request) {
+  const double a = request.at("a");
+  const double height =
+      2.0 * (request.at("radius") + request.at("neck")) + 8.0 * request.edge_length;
+  Lattice::Cell cell;
+  cell << a, 0.5 * a, 0.0,                    //
+      0.0, 0.5 * std::sqrt(3.0) * a, 0.0,     //
+      0.0, 0.0, height;
+  const Lattice lattice(cell, {true, true, false});
+  const Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d second = (cell.col(0) + cell.col(1)) / 3.0;
+  const std::vector<Segment> edges = {{first, second},
+                                      {first, second - cell.col(0)},
+                                      {first, second - cell.col(1)}};
+  return network(request, lattice, edges);
+}
+
+}  // namespace trivalent::remesh
