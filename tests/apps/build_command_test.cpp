@@ -70,6 +70,32 @@ TEST_F(BuildCommand, MakesTheSameOnAnyNumberOfThreads) {
   }
 }
 
+TEST_F(BuildCommand, MakesSeveralWalls) {
+  succeed("build sphere -o out --walls 3 --atoms 900 --effort quick --atom-style molecular");
+  const auto result = report("out");
+  EXPECT_NEAR(result["network"]["atoms"].get<double>(), 900.0, 30.0);
+  EXPECT_EQ(result["energy"]["potential"], "airebo");
+  EXPECT_EQ(result["quality"]["components"], 3);
+  ASSERT_EQ(result["walls"]["walls"].size(), 3U);
+  EXPECT_LT(result["walls"]["energy"], -10.0);
+  EXPECT_NE(content("out/shell.extxyz").find(":wall:I:1"), std::string::npos);
+  EXPECT_NE(content("out/in.check").find("airebo 3.0 1 1"), std::string::npos);
+  EXPECT_NE(content("out/report.html").find("\"wall\""), std::string::npos);
+  const auto check = succeed("check out/shell.extxyz --potential airebo --json").json();
+  EXPECT_EQ(check["files"][0]["walls"]["count"], 3);
+  EXPECT_EQ(check["sound"], true);
+}
+
+TEST_F(BuildCommand, SaysWhyWallsDoNotFit) {
+  expect_failure(1, "fit", "build sphere -o out --walls 5 --inwards --atoms 200 --effort quick");
+  EXPECT_FALSE(has("out"));
+  for (const std::string options : {"--inwards --outwards", "--walls 0", "--walls 3 --spacing -1",
+                                    "--potential lj", "--follow -0.1", "--follow often"}) {
+    EXPECT_NE(trivalent("build sphere -o out --atoms 200 " + options).exit_code, 0) << options;
+    EXPECT_FALSE(has("out")) << options;
+  }
+}
+
 TEST_F(BuildCommand, RelaxesCappedEdgesToo) {
   succeed("build wavy-sheet -o out --atoms 300 --cap hydrogen");
   EXPECT_TRUE(report("out")["relaxation"]["converged"].get<bool>());

@@ -9,6 +9,7 @@
 
 #include "mesh_fixtures.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_quality.h"
 
 namespace trivalent::remesh {
 namespace {
@@ -177,6 +178,46 @@ TEST(MakeShape, ThrowsOnEdgesTooShortOrTooLongForTheShape) {
     EXPECT_THROW((void)make_shape(name, {}, 1e-6), InvalidOption) << name;
     EXPECT_THROW((void)make_shape(name, {}, 1e-300), InvalidOption) << name;
     EXPECT_THROW((void)make_shape(name, {}, 20.0), InvalidOption) << name;
+  }
+}
+
+TEST(Junctions, AreClosedByHemispheresOrOpen) {
+  struct Known {
+    const char* name;
+    int arms;
+  };
+  for (const Known& known : {Known{"y-junction", 3}, Known{"t-junction", 3}, Known{"x-junction", 4},
+                             Known{"tetrapod", 4}, Known{"six-arm-junction", 6}}) {
+    const MeshQuality closed = measure_quality(make_shape(known.name, {}, 0.25));
+    EXPECT_EQ(closed.euler_characteristic, 2) << known.name;
+    EXPECT_EQ(closed.boundary_loops, 0) << known.name;
+    const TriMesh open = make_shape(known.name, {{"open", 1.0}}, 0.25);
+    const MeshQuality cut = measure_quality(open);
+    EXPECT_EQ(cut.euler_characteristic, 2 - known.arms) << known.name;
+    EXPECT_EQ(cut.boundary_loops, known.arms) << known.name;
+    EXPECT_EQ(cut.self_intersections, 0) << known.name;
+    // Ends lie as far from the middle as asked for, on circles of the tube's radius.
+    for (const auto v : open.vertices()) {
+      if (!v.is_boundary()) continue;
+      EXPECT_NEAR(open.point(v).norm(), std::hypot(4.0, 1.0), 0.02) << known.name;
+    }
+  }
+  EXPECT_THROW(static_cast<void>(make_shape("y-junction", {{"open", 0.5}}, 0.25)), InvalidOption);
+  EXPECT_THROW(static_cast<void>(make_shape("x-junction", {{"radius", 0.0}}, 0.25)), InvalidOption);
+}
+
+TEST(Networks, HaveTheGenusOfTheirGraph) {
+  // Twice the nodes less the edges of a cell.
+  struct Known {
+    const char* name;
+    int euler_characteristic;
+  };
+  for (const Known& known : {Known{"cubic-network", -4}, Known{"diamond-network", -16},
+                             Known{"honeycomb-network", -2}}) {
+    const TriMesh mesh = make_shape(known.name, {}, 0.3);
+    EXPECT_EQ(measure_quality(mesh).euler_characteristic, known.euler_characteristic) << known.name;
+    EXPECT_EQ(measure_quality(mesh).components, 1) << known.name;
+    EXPECT_TRUE(mesh.lattice.is_periodic()) << known.name;
   }
 }
 

@@ -204,3 +204,21 @@ def test_arrays_of_one_cell_are_joined() -> None:
     assert trivalent.plan((vertices, faces, cell), scale=3.0)["atoms"] == pytest.approx(expected, rel=1e-6)
     with pytest.raises(trivalent.InvalidMesh, match="no partner"):
         trivalent.plan((vertices, faces, [7.0, 5.0, 20.0]), scale=3.0)
+
+
+def test_walls_are_one_shell() -> None:
+    shell = trivalent.build("sphere", walls=3, atoms=900, effort="quick")
+    assert shell.report["energy"]["potential"] == "airebo"
+    walls = shell.columns["wall"]
+    assert sorted(set(walls)) == [0, 1, 2]
+    # No bond leads from one to another.
+    assert (walls[shell.bonds[:, 0]] == walls[shell.bonds[:, 1]]).all()
+    radii = [np.linalg.norm(shell.positions[walls == wall], axis=1).mean() for wall in range(3)]
+    assert np.diff(radii) == pytest.approx([3.4, 3.4], abs=0.2)
+    assert trivalent.plan("sphere", walls=3, atoms=900)["atoms"] == 900
+    with pytest.raises(trivalent.Error, match="fit"):
+        trivalent.build("sphere", walls=5, side="inwards", atoms=200, effort="quick")
+    with pytest.raises(trivalent.Error):
+        trivalent.build("sphere", walls=2, side="upwards", atoms=200)
+    held = trivalent.build("sphere", follow=0.3, potential="airebo", relax=False, **quick)
+    assert held.report["network"]["bond_length"]["mean"] == pytest.approx(1.397, abs=1e-9)

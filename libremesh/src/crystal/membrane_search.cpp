@@ -144,8 +144,8 @@ double mean_radius(const TriMesh& surface, double area) {
 double tether_factor(const TriMesh& surface, double area) {
   const double radius = mean_radius(surface, area);
   // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
-  // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000 atoms
-  // an exponent of 4 leaves fewer of them than 3.
+  // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000
+  // atoms an exponent of 4 leaves fewer of them than 3.
   constexpr double large = 40.0;  // [Å]
   if (radius > large) return std::pow(large / radius, 4.0);
   // A net that may leave a small shape by several Å takes another one, with defects of its own:

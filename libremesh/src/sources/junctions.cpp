@@ -27,8 +27,8 @@ double distance_to(const Segment& segment, const Eigen::Vector3d& p) {
   return (p - segment.from - t * along).norm();
 }
 
-/// Distance to tubes of one radius that are joined smoothly: a soft minimum of the distances to each.
-/// Its gradient is a weighted mean of gradients of length 1, no longer than 1.
+/// Distance to tubes of one radius that are joined smoothly: a soft minimum of the distances to
+/// each. Its gradient is a weighted mean of gradients of length 1, no longer than 1.
 class JoinedTubes {
  public:
   /// @param neck  about the radius of the fillets between tubes
@@ -106,8 +106,8 @@ TriMesh junction(const Request& request, const std::vector<Eigen::Vector3d>& dir
   if (open != 0.0 && open != 1.0) {
     throw InvalidOption(concat("make_shape: ", request.shape, ": open is 0 or 1, not ", open));
   }
-  check_face_count(request, 2.0 * pi * radius * (length + radius) *
-                                static_cast<double>(directions.size()));
+  check_face_count(request,
+                   2.0 * pi * radius * (length + radius) * static_cast<double>(directions.size()));
   (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
   // Tubes that are to be cut go on for a while.
   const double end = length + open * 4.0 * request.edge_length;
@@ -161,7 +161,8 @@ TriMesh x_junction(const Request& request) {
 }
 
 TriMesh tetrapod(const Request& request) {
-  return junction(request, {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}});
+  return junction(request,
+                  {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}});
 }
 
 TriMesh six_arm_junction(const Request& request) {
@@ -184,8 +185,9 @@ TriMesh cubic_network(const Request& request) {
 TriMesh diamond_network(const Request& request) {
   const double a = request.at("a");
   std::vector<Segment> edges;
-  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.0, 0.5, 0.5),
-                                        Eigen::Vector3d(0.5, 0.0, 0.5), Eigen::Vector3d(0.5, 0.5, 0.0)}) {
+  for (const Eigen::Vector3d& corner :
+       {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.0, 0.5, 0.5),
+        Eigen::Vector3d(0.5, 0.0, 0.5), Eigen::Vector3d(0.5, 0.5, 0.0)}) {
     const Eigen::Vector3d node = a * (corner + Eigen::Vector3d::Constant(0.25));
     for (const Eigen::Vector3d& step :
          {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(1.0, -1.0, -1.0),
@@ -201,15 +203,14 @@ TriMesh honeycomb_network(const Request& request) {
   const double height =
       2.0 * (request.at("radius") + request.at("neck")) + 8.0 * request.edge_length;
   Lattice::Cell cell;
-  cell << a, 0.5 * a, 0.0,                    //
-      0.0, 0.5 * std::sqrt(3.0) * a, 0.0,     //
+  cell << a, 0.5 * a, 0.0,                 //
+      0.0, 0.5 * std::sqrt(3.0) * a, 0.0,  //
       0.0, 0.0, height;
   const Lattice lattice(cell, {true, true, false});
   const Eigen::Vector3d first = Eigen::Vector3d::Zero();
   const Eigen::Vector3d second = (cell.col(0) + cell.col(1)) / 3.0;
-  const std::vector<Segment> edges = {{first, second},
-                                      {first, second - cell.col(0)},
-                                      {first, second - cell.col(1)}};
+  const std::vector<Segment> edges = {
+      {first, second}, {first, second - cell.col(0)}, {first, second - cell.col(1)}};
   return network(request, lattice, edges);
 }
 

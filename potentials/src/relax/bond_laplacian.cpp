@@ -15,8 +15,8 @@ namespace {
 constexpr double bond_stiffness = 20.0;
 // Holds pieces that no bond holds; small against the softest mode of a shell.
 constexpr double anchor_stiffness = 0.01;
-// Between an atom and the nearest of another piece, about as between the layers of graphite. An onion
-// of 5,000 atoms needs 130 evaluations of AIREBO with it, and 835 without.
+// Between an atom and the nearest of another piece, about as between the layers of graphite. An
+// onion of 5,000 atoms needs 130 evaluations of AIREBO with it, and 835 without.
 constexpr double contact_stiffness = 0.4;
 constexpr double contact_distance = 4.0;  // [Å]
 

@@ -23,9 +23,9 @@ struct ShapeDescription {
   double coarsest = 10.0;  ///< edges along the smallest parameter that show the topology
 };
 
-/// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube, wavy-sheet
-/// and junctions of tubes, then the periodic ones: networks of tubes, schwarz-p, schwarz-d, gyroid,
-/// i-wp, neovius, plane, periodic-tube and wave.
+/// All built-in shapes: sphere, ellipsoid, torus, double-torus, capsule, tube, open-tube,
+/// wavy-sheet and junctions of tubes, then the periodic ones: networks of tubes, schwarz-p,
+/// schwarz-d, gyroid, i-wp, neovius, plane, periodic-tube and wave.
 [[nodiscard]] const std::vector<ShapeDescription>& built_in_shapes();
 
 /// A value for one of a shape's parameters.
