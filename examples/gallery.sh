@@ -21,6 +21,9 @@ import json, sys
 report = json.load(open(sys.argv[1]))
 energy, network = report["energy"]["after"], report["network"]
 strain = f"{1000 * energy['excess_per_atom']:.1f} meV/atom above graphene"
+if "walls" in report:
+    walls = report["walls"]
+    strain = f"{walls['count']} walls, bound by {-1000 * walls['energy'] / network['atoms']:.1f} meV/atom (AIREBO)"
 edge = f"edges capped with {report['hydrogens']} H"  # the energies of C-H bonds are not to be compared
 print(f"| ![{sys.argv[2]}](examples/gallery/{sys.argv[2]}.png) | `{sys.argv[3]}` | {network['atoms']} atoms, "
       f"{100 * network['hexagon_fraction']:.1f} % hexagons, {edge if report['hydrogens'] else strain} |")
@@ -30,8 +33,8 @@ PYTHON
 echo '| | command | what it comes to |'
 echo '|---|---|---|'
 draw bunny excess_energy "$meshes/bunny00.off" --atoms 8000
-draw torus ring_size torus:R=3,r=1 --atoms 3000
-draw double-torus excess_energy double-torus --atoms 4000
-draw tube ring_size open-tube --atoms 1500 --cap hydrogen
+draw gyroid ring_size gyroid --atoms 1536
+draw onion wall sphere --walls 3 --atoms 1200
+draw y-junction ring_size y-junction:length=5 --atoms 2100
 draw wavy-sheet pyramidalization wavy-sheet --atoms 3000
 draw femur excess_energy "$meshes/femur.off" --atoms 6000

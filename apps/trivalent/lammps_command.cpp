@@ -9,8 +9,8 @@
 #include "structure_options.h"
 #include "trivalent/formats/lammps_package.h"
 #include "trivalent/potentials/bonds.h"
-#include "trivalent/potentials/rebo.h"
 #include "trivalent/shell/number_text.h"
+#include "trivalent/shell/potential_choice.h"
 #include "trivalent/shell/relax_report.h"
 
 namespace trivalent::apps {
@@ -28,11 +28,18 @@ Grammar grammar_of_lammps() {
       ("gzip", "compress the data file")                                                 //
       ("atoms-per-file", with_default(defaults.atoms_per_file),
        "write data of more atoms in parts, >= 1")  //
-      ("potential-file", po::value<std::string>(), "CH.rebo; default: LAMMPS finds it");
+      ("potential", with_default(std::string("rebo")),
+       "rebo, or airebo, which has forces between walls")  //
+      ("potential-file", po::value<std::string>(),
+       "CH.rebo or CH.airebo; default: LAMMPS finds it");
   add_pair_options(grammar.options);
   add_file_options(grammar.options);
   add_structure_options(grammar.options, input_style);
   return grammar;
+}
+
+shell::PotentialChoice named_potential(const Session& session) {
+  return {.name = session.get<std::string>("potential")};
 }
 
 dual::LammpsPackageOptions package_options(const Session& session) {
@@ -40,10 +47,13 @@ dual::LammpsPackageOptions package_options(const Session& session) {
   if (has_angles && atom_style(session) != dual::AtomStyle::molecular) {
     throw UsageError("--angles needs --atom-style molecular");
   }
-  shell::LammpsOptions lammps;
+  const shell::KnownPotential& potential = shell::find_potential(named_potential(session));
+  if (!potential.lammps) throw UsageError("--potential: LAMMPS is given rebo or airebo");
+  shell::LammpsOptions lammps = {.potential = *potential.lammps};
   if (const auto file = session.find<std::string>("potential-file")) lammps.potential_file = *file;
   const auto compression = session.has("gzip") ? dual::Compression::gzip : dual::Compression::none;
   return {.data = {.style = atom_style(session), .angles = has_angles, .digits = digits(session)},
+          .potential = lammps.potential,
           .potential_file = potential_file(session, lammps),
           .pair_style = pair_style(session),
           .compression = compression,
@@ -96,7 +106,8 @@ int run(const Command& self, std::span<const std::string> arguments) {
   dual::Structure structure =
       read_structure(session->get<std::string>("NETWORK"), reading, session->terminal);
   if (options.data.style == dual::AtomStyle::molecular) find_bonds(structure, session->terminal);
-  const double energy = potentials::rebo(structure.atoms).energy;
+  const double energy =
+      shell::make_potential(named_potential(*session))->evaluate(structure.atoms).energy;
   const OutputFolder made(folder);
   const auto package = dual::write_lammps_package(folder, structure, energy, options);
   session->terminal.print(result_of(folder, structure.atoms.size(), energy, package));

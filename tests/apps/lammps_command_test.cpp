@@ -9,6 +9,18 @@ using testing_support::ProgramTest;
 
 class LammpsCommand : public ProgramTest {};
 
+TEST_F(LammpsCommand, WritesDecksOfAireboForWalls) {
+  succeed("lammps onion:walls=2 -o out --potential airebo --atom-style molecular");
+  EXPECT_NE(content("out/in.check").find("airebo 3.0 1 1"), std::string::npos);
+  EXPECT_NE(content("out/README.md").find("CH.airebo"), std::string::npos);
+#ifdef TRIVALENT_LMP
+  EXPECT_EQ(shell("cd out && " TRIVALENT_LMP " -in in.check").exit_code, 0);
+#endif
+  expect_failure(2, "rebo or airebo", "lammps onion:walls=2 -o other --potential lj");
+  const Outcome relaxed = succeed("relax onion:walls=2 -o relaxed.extxyz --max-steps 5000");
+  EXPECT_NE(relaxed.err.find("AIREBO does"), std::string::npos);
+}
+
 TEST_F(LammpsCommand, WritesTheFilesItNames) {
   succeed("shape sphere s.off --edge 0.3");
   const auto result = succeed("lammps s.off -o out --json").json();

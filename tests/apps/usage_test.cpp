@@ -22,8 +22,8 @@ TEST_F(Usage, ExplainsEveryCommand) {
 TEST_F(Usage, ShowsUnitsAndDefaults) {
   const std::string help = succeed("build --help").out;
   for (const std::string part :
-       {"--bond arg (=1.42)", "--sigma arg (=0.2)", "--rings arg (=2)", "--iterations arg (=20)",
-        "[Å]", "10000", "sphere", "radius [1]"}) {
+       {"default: 1.42", "--sigma arg (=0.2)", "--rings arg (=2)", "--iterations arg (=20)", "[Å]",
+        "10000", "sphere", "radius [1]"}) {
     EXPECT_NE(help.find(part), std::string::npos) << part;
   }
 }

@@ -46,7 +46,9 @@ TEST(BuiltInShapes, AreTheDocumentedOnes) {
   std::vector<std::string> names;
   for (const Expected& shape : all_shapes) names.push_back(shape.name);
   for (const char* name :
-       {"schwarz-p", "schwarz-d", "gyroid", "i-wp", "neovius", "plane", "periodic-tube", "wave"}) {
+       {"y-junction", "t-junction", "x-junction", "tetrapod", "six-arm-junction", "cubic-network",
+        "diamond-network", "honeycomb-network", "schwarz-p", "schwarz-d", "gyroid", "i-wp",
+        "neovius", "plane", "periodic-tube", "wave"}) {
     names.emplace_back(name);
   }
   ASSERT_EQ(built_in_shapes().size(), names.size());

@@ -124,7 +124,7 @@ export const rings = {
 };
 
 export const ghost = {
-  vertexShader: rings.vertexShader.replaceAll('in vec4 color;', '').replaceAll('color', 'vec4(0.5)'),
+  vertexShader: rings.vertexShader.replaceAll('in vec4 color;', '').replaceAll('color', 'vec4(1.0)'),
   fragmentShader: `
     precision highp float;
     in vec3 tint, place;

@@ -13,9 +13,10 @@ namespace {
 
 /// Peak resident memory of whole builds, fitted to 50,000 to 1,000,000 atoms and inputs of 5,000 to
 /// 300,000 faces.
-double memory_of(double atoms, double input_faces) {
+double memory_of(double atoms, double input_faces, const dual::WallOptions& walls) {
   constexpr double bytes_of_program = 50e6;
-  constexpr double bytes_per_atom = 2000.0;
+  // AIREBO, under which several walls relax, keeps all neighbors within 11 Å.
+  const double bytes_per_atom = walls.count > 1 ? 6000.0 : 2000.0;
   constexpr double bytes_per_input_face = 1500.0;
   return bytes_of_program + bytes_per_atom * atoms + bytes_per_input_face * input_faces;
 }
@@ -127,10 +128,12 @@ Plan plan(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
           const dual::ShellOptions& options) {
   Plan plan;
   plan.shell = dual::estimate_shell(mesh, options);
-  plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()));
+  plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), options.walls);
   plan.free_memory = shell::free_memory();
   plan.seconds =
       seconds_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), components, options.method);
+  constexpr double per_atom_of_walls = 4e-3;  // relaxed under AIREBO
+  if (options.walls.count > 1) plan.seconds += per_atom_of_walls * plan.shell.atoms;
   plan.components = static_cast<int>(components.parts.size());
   find_obstacles(mesh, components, plan);
   return plan;

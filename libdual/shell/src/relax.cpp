@@ -8,6 +8,7 @@
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/shell/atom_groups.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
@@ -154,6 +155,9 @@ void update_network_columns(dual::Structure& structure) {
 
 RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   check_options(options);
+  if (is_rebo(options.potential) && !dual::walls_of(structure).empty()) {
+    note(options, "the structure has several walls, which REBO does not hold apart; AIREBO does");
+  }
   const auto bonds = bonds_of(structure, options);
   RelaxedStructure result;
   result.potential = options.potential.title();

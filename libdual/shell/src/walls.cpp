@@ -114,16 +114,13 @@ class Walls {
       refuse("nothing is left of the surface for another, or it would touch itself");
     }
     Kept kept = without_crumbs(*offset);
-    const int number = static_cast<int>(nets_.size()) + 1;
     if (kept.components == 0) refuse("what is left of the surface is smaller than C60");
     if (options_.side == WallSide::outwards &&
         euler_characteristic(kept.mesh) != euler_characteristic(last)) {
       refuse("another would merge across a gap or a hole of the shape");
     }
-    if (kept.left_out > 0) {
-      shell_.notes.push_back(
-          concat("wall ", number, ": ", kept.left_out, " parts too narrow for it are left out"));
-    }
+    left_out_.resize(nets_.size() + 1, 0);
+    left_out_.back() = kept.left_out;
     return std::move(kept.mesh);
   }
 
@@ -155,10 +152,18 @@ class Walls {
     if (n < options_.count) {
       shell_.notes.push_back(concat("stopped: ", n, " of ", options_.count, " walls were made"));
     }
-    if (options_.side == WallSide::inwards) std::ranges::reverse(nets_);
+    left_out_.resize(nets_.size(), 0);
+    if (options_.side == WallSide::inwards) {
+      std::ranges::reverse(nets_);
+      std::ranges::reverse(left_out_);
+    }
     shell_.given_wall = options_.side == WallSide::inwards ? n - 1 : 0;
     for (int wall = 0; wall < n; ++wall) {
       const std::size_t faces = nets_[static_cast<std::size_t>(wall)].n_faces();
+      if (const int parts = left_out_[static_cast<std::size_t>(wall)]; parts > 0) {
+        shell_.notes.push_back(concat("wall ", wall + 1, ": ", parts, " part",
+                                      parts == 1 ? " is" : "s are", " too narrow, and left out"));
+      }
       shell_.wall_of_atom.insert(shell_.wall_of_atom.end(), faces, wall);
     }
     shell_.surface.mesh = joined(nets_);
@@ -179,6 +184,7 @@ class Walls {
   Shell& shell_;
   const WallOptions& options_;
   std::vector<TriMesh> nets_;  // in the order of their making [Å]
+  std::vector<int> left_out_;  // parts of each surface
 };
 
 }  // namespace
