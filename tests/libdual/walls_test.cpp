@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,6 +18,7 @@
 #include "trivalent/remesh/shapes.h"
 #include "trivalent/shell/build.h"
 #include "trivalent/shell/certify.h"
+#include "trivalent/shell/relax.h"
 #include "trivalent/shell/wall_energies.h"
 
 namespace trivalent {
@@ -89,6 +91,29 @@ TEST(WallEnergies, AreWhatTheWholeHasBeyondItsParts) {
   // Half of each pair's energy is on either side.
   EXPECT_NEAR(std::accumulate(gained.begin(), gained.begin() + 60, 0.0), 0.5 * sum, 1e-9);
   EXPECT_TRUE(shell::wall_energies(dual::icosahedral_onion(1), whole.energies, airebo).empty());
+}
+
+TEST(Relax, FindsTheBindingOfAnIcosahedralOnion) {
+  // C60 in C240 in C540 in C960.
+  const shell::RelaxOptions options = {.potential = {.name = "airebo"}};
+  const Structure onion = shell::relax(dual::icosahedral_onion(4), options).structure;
+  potentials::Airebo airebo;
+  double binding = airebo.evaluate(onion.atoms).energy;
+  for (const int atoms : {60, 240, 540, 960}) {
+    const auto cage = shell::relax(dual::icosahedral_fullerene(atoms), options);
+    binding -= cage.relaxed.result.energy;
+  }
+  EXPECT_NEAR(binding, -55.764, 2e-3);
+  std::array<double, 4> radius = {};
+  const std::vector<int> walls = dual::walls_of(onion);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const int wall = walls[i];
+    radius[static_cast<std::size_t>(wall)] +=
+        onion.atoms.positions[i].norm() / (60.0 * (wall + 1) * (wall + 1));
+  }
+  EXPECT_NEAR(radius[1] - radius[0], 3.399, 2e-3);
+  EXPECT_NEAR(radius[2] - radius[1], 3.410, 2e-3);
+  EXPECT_NEAR(radius[3] - radius[2], 3.443, 2e-3);
 }
 
 TEST(BuildShell, EstimatesTheAtomsOfAllWalls) {

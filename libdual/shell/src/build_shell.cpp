@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "add_walls.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/remesh/error.h"
-#include "walls.h"
 
 namespace trivalent::dual {
 namespace {
@@ -24,7 +24,7 @@ void check_options(const TriMesh& mesh, const ShellOptions& options) {
     throw InvalidOption(
         concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
   }
-  check_walls(options.walls);
+  check_wall_options(options.walls);
   const auto* count = std::get_if<AtomCount>(&options.size);
   if (count != nullptr && count->atoms < min_atoms) {
     throw InvalidOption(

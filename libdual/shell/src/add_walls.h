@@ -8,7 +8,7 @@
 namespace trivalent::dual {
 
 /// @throws InvalidOption if an option is out of its range.
-void check_walls(const WallOptions& walls);
+void check_wall_options(const WallOptions& walls);
 
 /// About the areas [Å²] of the walls of a surface, the given one first: Steiner's formula
 /// [Steiner1840], 0 where nothing is left.

@@ -1,4 +1,4 @@
-#include "walls.h"
+#include "add_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,7 +189,7 @@ class Walls {
 
 }  // namespace
 
-void check_walls(const WallOptions& walls) {
+void check_wall_options(const WallOptions& walls) {
   if (walls.count < 1 || walls.count > max_walls) {
     throw InvalidOption(concat("build_shell: the number of walls must be 1 to ", max_walls,
                                ", but is ", walls.count));
