@@ -178,6 +178,7 @@ TriMesh cubic_network(const Request& request) {
   const double a = request.at("a");
   const Eigen::Vector3d node = Eigen::Vector3d::Zero();
   std::vector<Segment> edges;
+  edges.reserve(3);
   for (int k = 0; k < 3; ++k) edges.push_back({node, a * Eigen::Vector3d::Unit(k)});
   return network(request, Lattice(a * Eigen::Matrix3d::Identity(), {true, true, true}), edges);
 }
