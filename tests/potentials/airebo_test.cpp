@@ -101,6 +101,9 @@ TEST(Airebo, KeepsNeighborsOfAtomsThatMove) {
       kept.forget();
       EXPECT_EQ(kept.evaluate(atoms).energy, fresh.energy);
     }
+    // Other elements in the same places.
+    for (Species& species : atoms.species) species = Species::carbon;
+    EXPECT_NEAR(kept.evaluate(atoms).energy, airebo(atoms).energy, 1e-8);
     atoms.box.cell *= 1.01;
     EXPECT_NEAR(kept.evaluate(atoms).energy, airebo(atoms).energy, 1e-8);
   }

@@ -22,9 +22,7 @@ const NonbondedParameters& nonbonded(Species a, Species b) {
 }
 
 bool FarPairs::is_current(const Atoms& atoms) const {
-  if (at_.positions.size() != atoms.positions.size() || !is_same_box(at_.box, atoms.box)) {
-    return false;
-  }
+  if (at_.species != atoms.species || !is_same_box(at_.box, atoms.box)) return false;
   constexpr double farthest = 0.5 * skin;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const double moved = (atoms.positions[i] - at_.positions[i]).squaredNorm();

@@ -42,14 +42,11 @@ constexpr double far_from = 3.816370964;  // 2^(1/6) σ of carbon, the longest o
 /// The Lennard-Jones energies of all pairs that are not nearer than far_from, whatever bonds
 /// connect them.
 ///
-/// Neighbors are kept until an atom has moved by half a skin or the box has changed.
+/// Neighbors are kept until an atom has moved by half a skin, or species or box have changed.
 class FarPairs {
  public:
   /// Adds energies, forces and virial.
   void add(const Atoms& atoms, EnergyForces& result);
-
-  /// Finds the neighbors again at the next call.
-  void forget() { at_ = {}; }
 
  private:
   struct Point {
