@@ -35,9 +35,7 @@ std::vector<std::uint32_t> pieces_of(std::size_t n_atoms, std::span<const Bond> 
 
 /// From every atom that has one within reach, the nearest atom of another piece.
 std::vector<std::array<std::uint32_t, 2>> contacts_of(const Atoms& atoms,
-                                                      std::span<const Bond> bonds) {
-  const std::vector<std::uint32_t> pieces = pieces_of(atoms.size(), bonds);
-  if (std::ranges::adjacent_find(pieces, std::ranges::not_equal_to()) == pieces.end()) return {};
+                                                      std::span<const std::uint32_t> pieces) {
   const CellGrid grid(atoms, contact_distance);
   const auto points = grid.points();
   std::vector<std::array<std::uint32_t, 2>> contacts;
@@ -77,8 +75,12 @@ BondLaplacian::BondLaplacian(const Atoms& atoms, std::span<const Bond> bonds,
     entries.emplace_back(std::max(first, second), std::min(first, second), -stiffness);
   };
   for (const Bond& bond : bonds) add_spring(bond.first, bond.second, bond_stiffness);
-  for (const auto& [atom, other] : contacts_of(atoms, bonds)) {
-    add_spring(atom, other, contact_stiffness);
+  const std::vector<std::uint32_t> pieces = pieces_of(n_atoms, bonds);
+  has_pieces_ = std::ranges::adjacent_find(pieces, std::ranges::not_equal_to()) != pieces.end();
+  if (has_pieces_) {
+    for (const auto& [atom, other] : contacts_of(atoms, pieces)) {
+      add_spring(atom, other, contact_stiffness);
+    }
   }
   for (std::size_t i = 0; i < n_atoms; ++i) {
     entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[i]);

@@ -13,18 +13,22 @@ namespace trivalent::potentials::relax_detail {
 /// touch.
 ///
 /// It removes the slow stretching modes of large pieces from a minimization and leaves the bending
-/// modes. It depends on the network only and is factorized once.
+/// modes. Of one piece, it depends on the network only and is factorized once.
 class BondLaplacian {
  public:
   /// @param fixed  atoms that do not move
   BondLaplacian(const Atoms& atoms, std::span<const Bond> bonds,
                 std::span<const std::uint32_t> fixed);
 
+  /// Whether it depends on where the atoms are: if there are several pieces.
+  [[nodiscard]] bool depends_on_positions() const { return has_pieces_; }
+
   /// Replaces forces [eV/Å] on all coordinates by the displacements [Å] at which they would vanish.
   void solve(Vector& forces) const;
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
+  bool has_pieces_;
   Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
 };
 

@@ -126,7 +126,11 @@ void Relaxation::descend_freely() {
   do {
     // Nothing but the atoms may matter from here on, so that a relaxation can be resumed.
     potential_.forget();
-    if (!is_network_known()) set_bonds(guess_bonds(result_.atoms).bonds);
+    if (!is_network_known()) {
+      set_bonds(guess_bonds(result_.atoms).bonds);
+    } else if (preconditioner_ && preconditioner_->depends_on_positions()) {
+      set_bonds(bonds_);
+    }
     if (options_.on_checkpoint) {
       options_.on_checkpoint({result_.steps, result_.evaluations, result_.atoms});
     }
