@@ -42,6 +42,9 @@ TEST(Walls, AreKnownByTheirColumn) {
   const Structure onion = dual::icosahedral_onion(3);
   EXPECT_EQ(dual::walls_of(onion).size(), onion.atoms.size());
   EXPECT_TRUE(dual::walls_of(dual::icosahedral_onion(1)).empty());  // one is none
+  Structure other = onion;  // a column that counts something else
+  std::get<std::vector<int>>(other.columns.front().values)[0] = 1000000000;
+  EXPECT_TRUE(dual::walls_of(other).empty());
   Structure plain = onion;
   plain.columns.clear();
   EXPECT_TRUE(dual::walls_of(plain).empty());
@@ -174,6 +177,13 @@ TEST(BuildShell, SaysHowManyWallsFit) {
     EXPECT_THROW(static_cast<void>(dual::build_shell(sphere(6.0), {.walls = wrong})),
                  dual::InvalidOption);
   }
+}
+
+TEST(Build, RefusesPotentialsWithoutBonds) {
+  const shell::BuildOptions options = {.shell = three_walls(),
+                                       .potential = shell::PotentialChoice{.name = "lj"}};
+  EXPECT_THROW(static_cast<void>(shell::build({.mesh = sphere(6.0)}, options)),
+               dual::InvalidOption);
 }
 
 TEST(Build, RelaxesWallsTogetherUnderAirebo) {

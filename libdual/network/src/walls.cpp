@@ -67,7 +67,9 @@ std::vector<int> walls_of(const Structure& structure) {
     if (column.name != wall_column || walls == nullptr) continue;
     const bool is_one =
         std::ranges::adjacent_find(*walls, std::ranges::not_equal_to()) == walls->end();
-    if (walls->size() == structure.atoms.size() && !is_one) return *walls;
+    const bool are_numbers =
+        std::ranges::all_of(*walls, [](int wall) { return wall >= 0 && wall < max_walls; });
+    if (walls->size() == structure.atoms.size() && !is_one && are_numbers) return *walls;
   }
   return {};
 }

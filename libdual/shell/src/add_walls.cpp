@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "trivalent/dual/error.h"
+#include "trivalent/dual/walls.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
@@ -19,7 +20,6 @@ namespace {
 
 using remesh::TriMesh;
 
-constexpr int max_walls = 100;
 /// A facet moved inwards shrinks, one moved outwards is joined to the next by a rounded corner:
 /// mean radii of faceted cages change by more and by less than the offset. By these factors of it,
 /// onions of 5,000 atoms at rest under AIREBO have the spacing.

@@ -12,7 +12,10 @@ namespace trivalent::dual {
 /// The column that says to which of several walls an atom belongs, from 0, the innermost.
 inline constexpr const char* wall_column = "wall";
 
-/// The wall of every atom; empty if the structure has no such column, or one wall only.
+inline constexpr int max_walls = 100;  ///< that a structure may have
+
+/// The wall of every atom; empty if the structure has no such column, one wall only, or numbers
+/// that are not below max_walls: another program's column.
 [[nodiscard]] std::vector<int> walls_of(const Structure& structure);
 
 /// One of several walls.
