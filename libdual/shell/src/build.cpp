@@ -76,6 +76,7 @@ class Build {
   [[nodiscard]] std::vector<Eigen::Vector3d> positions_on_original() const;
   void evaluate_input();
   void measure_walls();
+  void set_budget(const remesh::TriMesh& net);
   void evaluate_shell();
   [[nodiscard]] dual::ShellState state_of_shell(std::string name) const;
 
@@ -89,6 +90,10 @@ class Build {
 Build::Build(Surface surface, const BuildOptions& options)
     : options_(options), surface_(std::move(surface)) {
   result.potential = options.used_potential();
+  if (result.potential.pair_style || !find_potential(result.potential).lammps) {
+    throw dual::InvalidOption("build: the potential of a shell is rebo or airebo, not " +
+                              result.potential.title());
+  }
   potential_ = make_potential(result.potential);
   result.graphene = graphene_reference(result.potential);
   plan(surface_.mesh, options.shell).require_feasible();
@@ -196,6 +201,11 @@ double Build::excess_energy() const {
   return sum;
 }
 
+void Build::set_budget(const remesh::TriMesh& net) {
+  result.budget = energy_budget(net, excess_energy());
+  if (!is_rebo(result.potential)) result.budget.sphere.reset();  // the law is REBO's
+}
+
 /// What several walls are like, and what binds them.
 void Build::measure_walls() {
   if (result.shell.wall_of_atom.empty()) return;
@@ -215,7 +225,7 @@ void Build::evaluate_shell() {
   }
   measure_walls();
   result.after = state_of_shell("shell");
-  result.budget = energy_budget(result.shell.surface.mesh, excess_energy());
+  set_budget(result.shell.surface.mesh);
 }
 
 /// The dual of the surface as it came, at the same mean bond. Such a dual may be beyond any
@@ -291,7 +301,7 @@ void Build::relax() {
         box.is_periodic() ? deformed(result.original, deformation_) : result.original;
     result.distance_at_rest = remesh::measure_distance(given_wall_of(net), surface);
   }
-  result.budget = energy_budget(net, excess_energy());
+  set_budget(net);
   end(BuildStep::relax);
 }
 
