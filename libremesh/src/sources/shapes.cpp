@@ -26,9 +26,11 @@ const std::vector<BuiltInShape>& shape_table() {
       {"length", 4.0, "from the middle to the hemisphere that closes an arm, or to its open end"},
       {"neck", 1.0, "radius of the fillets between arms, about"},
       {"open", 0.0, "1: arms are open; 0: closed"}};
-  const std::vector<ShapeParameter> tubes = {{"a", 6.0, "edge of the cell"},
-                                             {"radius", 1.0, "radius of the tubes"},
-                                             {"neck", 1.0, "radius of the fillets, about"}};
+  const auto tubes = [](double edge) {
+    return std::vector<ShapeParameter>{{"a", edge, "edge of the cell"},
+                                       {"radius", 1.0, "radius of the tubes"},
+                                       {"neck", 1.0, "radius of the fillets, about"}};
+  };
   static const std::vector<BuiltInShape> table = {
       {{"sphere", "sphere", {radius}}, sphere},
       {{"ellipsoid",
@@ -62,19 +64,13 @@ const std::vector<BuiltInShape>& shape_table() {
       {{"x-junction", "two tubes that cross at right angles", arms}, x_junction},
       {{"tetrapod", "four tubes towards the corners of a tetrahedron", arms}, tetrapod},
       {{"six-arm-junction", "three tubes that cross at right angles", arms}, six_arm_junction},
-      {{"cubic-network", "periodic: tubes along the edges of a cubic lattice", tubes},
+      {{"cubic-network", "periodic: tubes along the edges of a cubic lattice", tubes(6.0)},
        cubic_network},
-      {{"diamond-network",
-        "periodic: tubes along the bonds of diamond, in its cubic cell",
-        {{"a", 14.0, "edge of the cell"},
-         {"radius", 1.0, "radius of the tubes"},
-         {"neck", 1.0, "radius of the fillets, about"}}},
+      {{"diamond-network", "periodic: tubes along the bonds of diamond, in its cubic cell",
+        tubes(14.0)},
        diamond_network},
-      {{"honeycomb-network",
-        "periodic along x and y: tubes along the bonds of a honeycomb",
-        {{"a", 10.0, "edge of the cell"},
-         {"radius", 1.0, "radius of the tubes"},
-         {"neck", 1.0, "radius of the fillets, about"}}},
+      {{"honeycomb-network", "periodic along x and y: tubes along the bonds of a honeycomb",
+        tubes(10.0)},
        honeycomb_network},
       {{"schwarz-p", "periodic: Schwarz' P surface in its cubic cell", {cell}, necks}, schwarz_p},
       {{"schwarz-d",
