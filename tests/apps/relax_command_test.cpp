@@ -49,6 +49,8 @@ TEST_F(RelaxCommand, BringsIdealStructuresToTheirKnownEnergies) {
   EXPECT_NEAR(energy("nanotube:n=5,m=5 --relax-box"), -7.24617, 1e-5);
   EXPECT_NEAR(energy("nanotube:n=10,m=0 --relax-box"), -7.28131, 1e-5);
   EXPECT_NEAR(energy("graphene:nx=1,ny=1 --relax-box"), -7.39500, 1e-5);
+  // The shortest capsule of a (10,10) tube is C240.
+  EXPECT_NEAR(energy("nanotube:n=10,m=10,caps=2"), -7.20509, 1e-5);
 }
 
 TEST_F(RelaxCommand, BindsTheWallsOfAnOnion) {

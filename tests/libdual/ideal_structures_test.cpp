@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
+#include <set>
 
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/graphene.h"
@@ -82,6 +84,121 @@ INSTANTIATE_TEST_SUITE_P(IdealStructures, EveryTube,
                                   std::to_string(parameter.param.m);
                          });
 
+class EveryCapsule : public testing::TestWithParam<Chirality> {};
+
+TEST_P(EveryCapsule, HasTwelvePentagonsAndNoOtherDefect) {
+  const auto [n, m] = GetParam();
+  for (const double length : {0.0, 15.0}) {
+    const Structure capsule = capped_nanotube({.n = n, .m = m, .length = length});
+    const auto atoms = static_cast<int>(capsule.atoms.size());
+    EXPECT_EQ(atoms_by_bonds(capsule), (std::map<int, int>{{3, atoms}}));
+    std::map<std::size_t, int> rings = {{6, 0}};
+    std::map<int, int> pentagons_of_atom;
+    for (const Ring& ring : capsule.rings) {
+      ++rings[ring.atoms.size()];
+      if (ring.atoms.size() != 5) continue;
+      for (const int atom : ring.atoms) ++pentagons_of_atom[atom];
+    }
+    EXPECT_EQ(rings, (std::map<std::size_t, int>{{5, 12}, {6, atoms / 2 - 10}}));
+    expect_no_other_neighbors(capsule);
+    // Pentagons of thinner tubes share bonds, and those of caps that nearly meet.
+    if (length == 0.0 || n * n + n * m + m * m < 75) continue;
+    EXPECT_EQ(pentagons_of_atom.size(), 60u);
+  }
+}
+
+/// Bonds of an atom on a tube along z, each as where it leads: around and along [Å]; sorted.
+std::vector<std::pair<int, int>> bonds_on_tube(const Structure& tube, std::uint32_t atom) {
+  constexpr double places = 4.0;  // in 1/4 Å
+  std::vector<std::pair<int, int>> found;
+  for (const potentials::Bond& bond : tube.bonds) {
+    if (bond.first != atom && bond.second != atom) continue;
+    const Eigen::Vector3d from = tube.atoms.positions[atom];
+    const std::uint32_t other = bond.first == atom ? bond.second : bond.first;
+    const Eigen::Vector3d along = tube.atoms.positions[other] - from;
+    const Eigen::Vector3d around =
+        Eigen::Vector3d::UnitZ().cross(Eigen::Vector3d(from.x(), from.y(), 0.0)).normalized();
+    found.emplace_back(std::lround(places * around.dot(along)), std::lround(places * along.z()));
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST_P(EveryCapsule, IsTheTubeBetweenItsCaps) {
+  const auto [n, m] = GetParam();
+  const Structure tube = nanotube({.n = n, .m = m, .cells = 4, .edges = Edges::bare});
+  std::set<std::vector<std::pair<int, int>>> wanted;
+  for (std::uint32_t i = 0; i < tube.atoms.size(); ++i) {
+    if (std::abs(tube.atoms.positions[i].z()) < 2.0) wanted.insert(bonds_on_tube(tube, i));
+  }
+  const Structure capsule = capped_nanotube({.n = n, .m = m, .length = 60.0});
+  std::set<std::vector<std::pair<int, int>>> found;
+  for (std::uint32_t i = 0; i < capsule.atoms.size(); ++i) {
+    if (std::abs(capsule.atoms.positions[i].z()) < 2.0) found.insert(bonds_on_tube(capsule, i));
+  }
+  EXPECT_EQ(found, wanted);
+}
+
+TEST_P(EveryCapsule, IsAsLongAsWanted) {
+  const auto [n, m] = GetParam();
+  const auto height = [&](double length) {
+    const Structure capsule = capped_nanotube({.n = n, .m = m, .length = length});
+    const auto [low, high] = std::ranges::minmax(capsule.atoms.positions, {},
+                                                 [](const Eigen::Vector3d& p) { return p.z(); });
+    return high.z() - low.z();
+  };
+  // A ring more or less at either length.
+  EXPECT_NEAR(height(50.0) - height(20.0), 30.0, 2.46);
+  const double radius = 0.5 * 2.46 * std::sqrt(n * n + n * m + m * m) / std::numbers::pi;
+  EXPECT_GT(height(50.0), 50.0 + 1.5 * radius);
+}
+
+INSTANTIATE_TEST_SUITE_P(IdealStructures, EveryCapsule,
+                         testing::Values(Chirality{5, 0}, Chirality{3, 3}, Chirality{5, 5},
+                                         Chirality{9, 0}, Chirality{10, 10}, Chirality{12, 5},
+                                         Chirality{5, 12}, Chirality{8, 3}, Chirality{17, 0},
+                                         Chirality{9, 1}),
+                         [](const auto& parameter) {
+                           return std::to_string(parameter.param.n) + "_" +
+                                  std::to_string(parameter.param.m);
+                         });
+
+TEST(CappedNanotube, CapsTheTubeOfC60AsC60) {
+  // Half of C60 on either end, and a ring of ten atoms for each 1.23 Å between.
+  EXPECT_EQ(capped_nanotube({.n = 5, .m = 5}).atoms.size(), 60u);
+  EXPECT_EQ(capped_nanotube({.n = 5, .m = 5, .length = 12.0}).atoms.size(), 160u);
+  EXPECT_EQ(capped_nanotube({.n = 10, .m = 10}).atoms.size(), 240u);
+  const Structure open =
+      capped_nanotube({.n = 5, .m = 5, .length = 12.0, .open_end = Edges::hydrogen});
+  EXPECT_EQ(std::ranges::count(open.atoms.species, potentials::Species::hydrogen), 10);
+  EXPECT_EQ(atoms_by_bonds(open).count(2), 0u);
+}
+
+TEST(CappedNanotube, ClosesEveryChirality) {
+  for (int n = 3; n <= 14; ++n) {
+    for (int m = 0; m <= n; ++m) {
+      if (n * n + n * m + m * m < 25) continue;
+      const Structure capsule = capped_nanotube({.n = n, .m = m, .length = 5.0});
+      int pentagons = 0;
+      for (const Ring& ring : capsule.rings) {
+        EXPECT_TRUE(ring.atoms.size() == 5 || ring.atoms.size() == 6) << n << ',' << m;
+        if (ring.atoms.size() == 5) ++pentagons;
+      }
+      EXPECT_EQ(pentagons, 12) << n << ',' << m;
+    }
+  }
+}
+
+TEST(CappedNanotube, RefusesWhatCannotBe) {
+  for (const CappedNanotube& tube :
+       {CappedNanotube{.n = 4, .m = 0}, CappedNanotube{.n = 3, .m = 2}, CappedNanotube{.n = 0},
+        CappedNanotube{.n = 10, .m = -1}, CappedNanotube{.n = 20000},
+        CappedNanotube{.length = -1.0}, CappedNanotube{.length = 1e7},
+        CappedNanotube{.open_end = Edges::periodic}}) {
+    EXPECT_THROW(static_cast<void>(capped_nanotube(tube)), InvalidOption);
+  }
+}
+
 TEST(GrapheneSheet, IsPeriodicOrHasEdges) {
   const Structure sheet = graphene_sheet(3, 2, Edges::periodic);
   EXPECT_EQ(atoms_by_bonds(sheet), (std::map<int, int>{{3, 24}}));
@@ -143,9 +260,12 @@ TEST(IdealStructures, AreNamedWithWholeNumbers) {
   using shell::make_ideal_structure;
   EXPECT_EQ(make_ideal_structure("nanotube:n=5,m=5,cells=2").atoms.size(), 40u);
   EXPECT_EQ(make_ideal_structure("fullerene").atoms.size(), 60u);
+  EXPECT_EQ(make_ideal_structure("nanotube:n=5,m=5,caps=2").atoms.size(), 60u);
   EXPECT_FALSE(make_ideal_structure("graphene:periodic=0").atoms.box.is_periodic());
   for (const char* text :
-       {"nanotube:n=5.5", "nanotube:q=5", "nanotube:periodic=1,hydrogen=1", "fullerene:N=six"}) {
+       {"nanotube:n=5.5", "nanotube:q=5", "nanotube:periodic=1,hydrogen=1", "fullerene:N=six",
+        "nanotube:caps=3", "nanotube:caps=1,cells=2", "nanotube:caps=2,periodic=1",
+        "nanotube:caps=2,hydrogen=1", "nanotube:length=10"}) {
     EXPECT_THROW(static_cast<void>(make_ideal_structure(text)), remesh::InvalidOption) << text;
   }
   EXPECT_TRUE(shell::is_ideal_structure("onion:walls=2"));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ideal_edges.h"
+#include "lattice_vector.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/graphene.h"
 #include "trivalent/dual/ideal_structures.h"
@@ -14,12 +15,6 @@ namespace trivalent::dual {
 namespace {
 
 using Count = std::int64_t;
-
-/// A point i a1 + j a2 of the lattice of graphene, where a1 and a2 meet at 60°.
-struct LatticePoint {
-  Count i;
-  Count j;
-};
 
 /// The quotient rounded down, and what is left.
 std::pair<Count, Count> divided(Count number, Count by) {
@@ -46,13 +41,13 @@ class Strip {
     Count around;
     Count along;
   };
-  [[nodiscard]] Place place(const LatticePoint& p) const {
+  [[nodiscard]] Place place(const LatticeVector& p) const {
     return {translation_.i * p.j - translation_.j * p.i, chiral_.j * p.i - chiral_.i * p.j};
   }
 
   /// All points inside, each once.
-  [[nodiscard]] std::vector<LatticePoint> points() const {
-    std::vector<LatticePoint> inside;
+  [[nodiscard]] std::vector<LatticeVector> points() const {
+    std::vector<LatticeVector> inside;
     for (Count j = translation_.j; j <= chiral_.j; ++j) {
       // From where the point is 0 around on: -t2 i >= -t1 j.
       const Count first = -divided(translation_.i * j, -translation_.j).first;
@@ -66,8 +61,8 @@ class Strip {
   }
 
  private:
-  LatticePoint chiral_;
-  LatticePoint translation_ = {};
+  LatticeVector chiral_;
+  LatticeVector translation_ = {};
   Count n_points_ = 0;
 };
 
@@ -104,9 +99,9 @@ Structure nanotube(const Nanotube& tube) {
 
   Structure structure;
   // Atom 2p sits on the point p of the strip, atom 2p + 1 a third of a1 + a2 from it.
-  const std::vector<LatticePoint> points = strip.points();
+  const std::vector<LatticeVector> points = strip.points();
   std::unordered_map<Count, std::uint32_t> index_of;
-  for (const LatticePoint& p : points) {
+  for (const LatticeVector& p : points) {
     const Strip::Place at = strip.place(p);
     index_of[at.around * strip.n_points() + at.along] = static_cast<std::uint32_t>(index_of.size());
     const Strip::Place third = strip.place({1, 1});
@@ -122,7 +117,7 @@ Structure nanotube(const Nanotube& tube) {
   }
   for (std::uint32_t p = 0; p < points.size(); ++p) {
     const auto [i, j] = points[p];
-    for (const LatticePoint& next : {LatticePoint{i, j}, {i + 1, j}, {i, j + 1}}) {
+    for (const LatticeVector& next : {LatticeVector{i, j}, {i + 1, j}, {i, j + 1}}) {
       // The other sublattice's atom of the point before is bonded to this one.
       const Strip::Place at = strip.place(next);
       const auto [turns, around] = divided(at.around, strip.n_points());

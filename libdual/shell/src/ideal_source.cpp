@@ -42,15 +42,23 @@ class Values {
     return static_cast<int>(std::ranges::find(values_, name, &remesh::ShapeArgument::name)->value);
   }
 
-  [[nodiscard]] dual::Edges edges() const {
-    const bool is_capped = (*this)["hydrogen"] != 0;
-    const bool says_periodic = std::ranges::any_of(call_.arguments, [](const auto& argument) {
-      return argument.name == "periodic" && argument.value != 0.0;
-    });
-    if (is_capped && says_periodic) {
-      throw remesh::InvalidOption(call_.name + ": periodic=1 leaves no edges for hydrogen=1");
+  [[nodiscard]] bool is_given(std::string_view name) const {
+    return std::ranges::count(call_.arguments, name, &remesh::ShapeArgument::name) > 0;
+  }
+
+  /// @throws InvalidOption if one value is set together with a choice that leaves no room for it.
+  void refuse(std::string_view name, std::string_view reason) const {
+    if (is_given(name) && (*this)[name] != 0) {
+      throw remesh::InvalidOption(
+          dual::concat(call_.name, ": ", name, "=", (*this)[name], ": ", reason));
     }
-    if (is_capped) return dual::Edges::hydrogen;
+  }
+
+  [[nodiscard]] dual::Edges edges() const {
+    if ((*this)["hydrogen"] != 0) {
+      refuse("periodic", "a periodic structure leaves no edges for hydrogen=1");
+      return dual::Edges::hydrogen;
+    }
     return (*this)["periodic"] != 0 ? dual::Edges::periodic : dual::Edges::bare;
   }
 
@@ -58,6 +66,28 @@ class Values {
   const ShapeCall& call_;
   std::vector<remesh::ShapeArgument> values_;
 };
+
+dual::Structure make_nanotube(const Values& values) {
+  const int caps = values["caps"];
+  if (caps < 0 || caps > 2) {
+    throw remesh::InvalidOption(dual::concat("nanotube: caps is ", caps, "; it must be 0, 1 or 2"));
+  }
+  if (caps == 0) {
+    values.refuse("length", "the length of a tube without caps is set by cells");
+    return dual::nanotube(
+        {.n = values["n"], .m = values["m"], .cells = values["cells"], .edges = values.edges()});
+  }
+  values.refuse("cells", "the straight part of a tube with caps is set by length, in Å");
+  values.refuse("periodic", "a tube with caps is not periodic");
+  dual::CappedNanotube tube = {
+      .n = values["n"], .m = values["m"], .length = static_cast<double>(values["length"])};
+  if (caps == 1) {
+    tube.open_end = values["hydrogen"] != 0 ? dual::Edges::hydrogen : dual::Edges::bare;
+  } else {
+    values.refuse("hydrogen", "caps=2 leaves no edges");
+  }
+  return dual::capped_nanotube(tube);
+}
 
 }  // namespace
 
@@ -68,6 +98,8 @@ const std::vector<remesh::ShapeDescription>& ideal_structures() {
        {{"n", 10, "first number of the chiral vector"},
         {"m", 10, "second number"},
         {"cells", 1, "translational cells along the tube"},
+        {"caps", 0, "ends closed by six pentagons each: 0, 1 or 2"},
+        {"length", 0, "straight part of a tube with caps, in Å"},
         periodic,
         hydrogen}},
       {"graphene",
@@ -91,10 +123,7 @@ bool is_ideal_structure(std::string_view text) {
 dual::Structure make_ideal_structure(std::string_view text) {
   const ShapeCall call = parse_shape(text);
   const Values values(call);
-  if (call.name == "nanotube") {
-    return dual::nanotube(
-        {.n = values["n"], .m = values["m"], .cells = values["cells"], .edges = values.edges()});
-  }
+  if (call.name == "nanotube") return make_nanotube(values);
   if (call.name == "graphene") {
     return dual::graphene_sheet(values["nx"], values["ny"], values.edges());
   }

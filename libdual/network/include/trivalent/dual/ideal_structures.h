@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "trivalent/dual/structure.h"
 
 namespace trivalent::dual {
@@ -27,6 +29,25 @@ struct Nanotube {
 /// @throws InvalidOption if a number is out of its range, the tube is thinner than three lattice
 ///   constants around, has more than 10 million atoms, or its ends leave no atom.
 [[nodiscard]] Structure nanotube(const Nanotube& tube);
+
+/// A nanotube closed by a cap of six pentagons on one end or on both.
+struct CappedNanotube {
+  int n = 10;           ///< >= 1
+  int m = 10;           ///< >= 0
+  double length = 0.0;  ///< of the straight part [Å], >= 0; at least so long, to the next ring;
+                        ///< that of a fullerene is 0
+  std::optional<Edges> open_end =
+      {};  ///< bare or hydrogen: what the lower end has in place of a cap
+};
+
+/// The ideal atoms, bonds and, where both ends are closed, rings of a capped nanotube along z,
+/// around the origin. A cap has its pentagons as near as the tube's lattice allows to where half of
+/// an icosahedron has them, and none beside another from circumferences of nine lattice constants
+/// on; both ends have the same cap. A relaxation settles the bonds.
+///
+/// @throws InvalidOption if a number is out of its range, the tube is thinner than five lattice
+///   constants around, has more than 10 million atoms or an open end that is periodic.
+[[nodiscard]] Structure capped_nanotube(const CappedNanotube& tube);
 
 /// A sheet of graphene in the xy plane, of n_x by n_y rectangular cells of four atoms, zigzag along
 /// x.
