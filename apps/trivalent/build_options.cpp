@@ -59,7 +59,7 @@ Grammar grammar_of_build() {
   add_shell_size_options(grammar.options);
   po::options_description walls("Several walls");
   add_wall_options(walls);
-  po::options_description cell("Periodic surfaces and formulas");
+  po::options_description cell("Periodic surfaces, formulas and volumes");
   add_cell_options(cell);
   po::options_description repair("Reading");
   add_repair_options(repair);
@@ -81,9 +81,11 @@ Grammar grammar_of_build() {
                       "write the shell in this format of atoms too; may be given again");
   grammar.options.add(walls).add(cell).add(repair).add(remeshing).add(files);
   grammar.epilog =
-      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input) or a\n"
-      "built-in shape. Of periodic surfaces, --atoms and --length (the longest cell vector) are\n"
-      "those of the cell, which is relaxed with the atoms.\n"
+      "SHAPE is a mesh file (OFF, OBJ, PLY, STL, VTP, or points in XYZ; - is standard input), a\n"
+      "volume (VTI, cube, NRRD, MRC or CCP4, raw) or a built-in shape. Of periodic surfaces,\n"
+      "--atoms and --length (the longest cell vector) are those of the cell, which is relaxed "
+      "with\n"
+      "the atoms.\n"
       "Writes surface.off, shell.extxyz, the files of `trivalent lammps`, energy.ply, energy.vtp,\n"
       "report.json and report.html (open it in a browser).\n\n" +
       shapes_help();

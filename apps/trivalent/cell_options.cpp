@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "structure_options.h"
+
 namespace trivalent::apps {
 
 void add_cell_options(po::options_description& options) {
@@ -15,7 +17,13 @@ void add_cell_options(po::options_description& options) {
        "in place of SHAPE: the surface where a function of x, y and z has the value --level, such "
        "as \"cos(x)+cos(y)+cos(z)\"")  //
       ("level", with_default(defaults.level),
-       "value of the formula on the surface; it is lower inside")  //
+       "value of the formula or volume on the surface; it is lower inside, but for a volume that "
+       "is not periodic")  //
+      ("periodic", po::value<std::string>(),
+       "axes along which a volume repeats, as in xyz or z; default: none")  //
+      ("raw", po::value<std::string>(),
+       "nx,ny,nz,type[,spacing]: what a .raw volume holds, as in 64,64,64,uint16,0.5; the first "
+       "axis runs fastest")  //
       ("box", po::value<std::string>(),
        "a[,b,c]: box around the origin that holds the closed surface of a formula")  //
       ("supercell", po::value<std::vector<int>>()->multitoken(),
@@ -27,15 +35,21 @@ shell::CellOptions cell_options(const Session& session) {
   const auto cell = session.find<std::string>("cell");
   const auto box = session.find<std::string>("box");
   if (cell && box) throw UsageError("--cell is for periodic surfaces, --box for closed ones");
-  for (const char* name : {"box", "level"}) {
-    const bool is_given = session.has(name) && !session.values[name].defaulted();
-    if (is_given && !session.has("formula")) {
-      throw UsageError("--" + std::string(name) + " belongs to --formula");
-    }
+  if (box && !session.has("formula")) throw UsageError("--box belongs to --formula");
+  const auto shape = session.find<std::string>("SHAPE");
+  const bool has_level = session.has("formula") || (shape && remesh::is_volume_file(*shape));
+  if (!session.values["level"].defaulted() && !has_level) {
+    throw UsageError("--level belongs to --formula or a volume");
   }
   if (cell) options.lattice = remesh::Lattice(shell::parse_cell(*cell), {true, true, true});
   if (box) options.lattice = remesh::Lattice(shell::parse_cell(*box), {false, false, false});
   options.level = session.get<double>("level");
+  if (const auto periodic = session.find<std::string>("periodic")) {
+    options.periodic = periodic_directions(*periodic);
+  }
+  if (const auto raw = session.find<std::string>("raw")) {
+    options.raw = shell::parse_raw_layout(*raw);
+  }
   if (const auto times = session.find<std::vector<int>>("supercell")) {
     if (times->size() != options.supercell.size()) {
       throw UsageError("--supercell takes three numbers, one for each cell vector");

@@ -10,15 +10,6 @@
 namespace trivalent::apps {
 namespace {
 
-std::array<bool, 3> periodic_directions(const std::string& text) {
-  if (text == "none") return {false, false, false};
-  if (text.empty() || text.find_first_not_of("xyz") != std::string::npos) {
-    throw UsageError("--periodic is made of x, y and z, or none, not '" + text + "'");
-  }
-  const auto has = [&](char axis) { return text.find(axis) != std::string::npos; };
-  return {has('x'), has('y'), has('z')};
-}
-
 /// Symbols, also several in one word: C,H.
 std::vector<potentials::Species> elements_of(const std::vector<std::string>& words) {
   std::vector<potentials::Species> elements;
@@ -58,6 +49,15 @@ std::string format_names() {
 }
 
 }  // namespace
+
+std::array<bool, 3> periodic_directions(const std::string& text) {
+  if (text == "none") return {false, false, false};
+  if (text.empty() || text.find_first_not_of("xyz") != std::string::npos) {
+    throw UsageError("--periodic is made of x, y and z, or none, not '" + text + "'");
+  }
+  const auto has = [&](char axis) { return text.find(axis) != std::string::npos; };
+  return {has('x'), has('y'), has('z')};
+}
 
 void add_structure_options(po::options_description& options, const std::string& style_option) {
   po::options_description atoms("Reading atoms");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "session.h"
@@ -17,6 +18,11 @@ void add_structure_options(po::options_description& options,
 /// @throws UsageError if the options make no sense.
 [[nodiscard]] shell::StructureOptions structure_options(
     const Session& session, const std::string& style_option = "atom-style");
+
+/// Directions out of a text such as xyz, z or none.
+///
+/// @throws UsageError if it is no such text.
+[[nodiscard]] std::array<bool, 3> periodic_directions(const std::string& text);
 
 /// Reads a structure and tells the terminal what was left out or assumed.
 [[nodiscard]] dual::Structure read_structure(const std::string& path,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "program.h"
 
@@ -31,6 +32,35 @@ TEST_F(BuildCommand, GoesTheWholeWay) {
   EXPECT_EQ(result["quality"]["self_intersections_are_all"], true);
   EXPECT_EQ(result["options"]["atoms"], 1000);
   EXPECT_EQ(result["input"], "sphere");
+}
+
+/// The values of Schwarz' P on 24 points of each axis, as a Gaussian cube file in Å.
+std::string schwarz_p_cube() {
+  constexpr int n = 24;
+  const double step = 2.0 * 3.14159265358979 / n;
+  std::ostringstream text;
+  text << "P\nsurface\n0 0 0 0\n"
+       << -n << ' ' << step << " 0 0\n"
+       << -n << " 0 " << step << " 0\n"
+       << -n << " 0 0 " << step << '\n';
+  for (int i = 0; i < n * n * n; ++i) {
+    text << std::cos(i / (n * n) * step) + std::cos(i / n % n * step) + std::cos(i % n * step)
+         << '\n';
+  }
+  return text.str();
+}
+
+TEST_F(BuildCommand, TakesVolumes) {
+  write("p.cube", schwarz_p_cube());
+  succeed("build p.cube --periodic xyz --atoms 432 --effort quick -o out");
+  EXPECT_EQ(report("out")["network"]["ring_excess"], -24);
+  EXPECT_EQ(report("out")["cell"]["periodic"], (std::vector<bool>{true, true, true}));
+  expect_failure(1, "axis is periodic", "build p.cube -o free");
+  expect_failure(1, "between them", "build p.cube --periodic xyz --level 7 -o none");
+  expect_failure(2, "has a cell of its own", "build p.cube --cell 5 -o other");
+  expect_failure(2, "no volume", "build " TRIVALENT_MESHES "/elephant.off --periodic xyz -o mesh");
+  expect_failure(2, "--level belongs to", "build sphere --level 1 -o sphere");
+  expect_failure(2, "layout", "build p.cube --raw 4,4,uint8 -o raw");
 }
 
 TEST_F(BuildCommand, LowersTheEnergyOfARealMesh) {

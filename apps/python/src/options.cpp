@@ -138,6 +138,8 @@ shell::CellOptions cell_options(const Options& options) {
     cell.lattice = remesh::Lattice(*vectors, {false, false, false});
   }
   options.set("level", cell.level);
+  options.set("pbc", cell.periodic);
+  if (const auto raw = options.find<std::string>("raw")) cell.raw = shell::parse_raw_layout(*raw);
   options.set("supercell", cell.supercell);
   return cell;
 }

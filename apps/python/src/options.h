@@ -81,7 +81,7 @@ class Options {
 /// repair, holes, components, wrap_alpha, wrap_offset.
 [[nodiscard]] remesh::RepairOptions repair_options(const Options& options);
 /// cell or box (a text as shell::parse_cell() takes it, or three rows of cell vectors), level,
-/// supercell.
+/// pbc, raw, supercell.
 [[nodiscard]] shell::CellOptions cell_options(const Options& options);
 /// potential, and lj_epsilon, lj_sigma, lj_cutoff, lj_shift.
 [[nodiscard]] shell::PotentialChoice potential_choice(const Options& options);

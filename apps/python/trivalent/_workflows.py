@@ -57,6 +57,8 @@ def build(
     cell: CellLike | None = None,
     box: CellLike | None = None,
     level: float | None = None,
+    pbc: _Periodic | None = None,
+    raw: str | None = None,
     supercell: _Sequence[int] | None = None,
     potential: Literal["rebo", "airebo"] | None = None,
     relax: bool = True,
@@ -66,8 +68,8 @@ def build(
 ) -> Shell:
     """Turns a surface into a carbon shell with energies: the whole way.
 
-    surface: a path, a built-in shape ("torus:R=3,r=1"), a Surface, (vertices, faces), or an object with
-        .vertices and .faces (trimesh) or .points and .faces or .cells (PyVista, meshio)
+    surface: a path of a mesh or a volume, a built-in shape ("torus:R=3,r=1"), a Surface, (vertices, faces), or an
+        object with .vertices and .faces (trimesh) or .points and .faces or .cells (PyVista, meshio)
     atoms, length, scale: one of them: about so many atoms (10,000 if none is given); the longest side of the
         bounding box [Å]; or [Å per unit of the input]
     bond: mean bond length wanted [Å], 1.42, or 1.397 under AIREBO
@@ -85,7 +87,10 @@ def build(
     cell: periodic cell of a formula, or of a mesh that shows one cell and is open where it goes on in the next, in
         the surface's unit: a, (a, b, c), (a, b, c, alpha, beta, gamma), three rows of vectors, or a text ("2*pi")
     box: in its place, the box around the origin that holds the closed surface of a formula
-    level: value of the formula on the surface, 0; it is lower inside
+    level: value of the formula or volume on the surface, 0; it is lower inside, but for a volume that is not
+        periodic
+    pbc: axes along which a volume repeats, a bool or three of them; None: it does not
+    raw: what a .raw volume holds: "nx,ny,nz,type", with the spacing of its points behind, as in "64,64,64,uint16,0.5"
     supercell: three numbers: so many cells along each cell vector
     fix_box: keep the cell of a periodic shell while its atoms relax
     potential: under which the atoms relax and have their energies; None: "rebo", of several walls "airebo"
@@ -95,6 +100,7 @@ def build(
     on_interrupt: what Ctrl-C does: "raise" KeyboardInterrupt, or "keep": return the best so far, if there is a net
     """
     cell, box = cell_of(surface, cell), cell_of(None, box)
+    pbc = None if pbc is None else _pbc_of(pbc, has_cell=False)
     options = _given(locals())
     watch = _core.Watch(progress_function(progress), on_interrupt)
     core, core_surface, found = _core.build(source_of(surface), options, watch)
@@ -126,6 +132,8 @@ def plan(
     cell: CellLike | None = None,
     box: CellLike | None = None,
     level: float | None = None,
+    pbc: _Periodic | None = None,
+    raw: str | None = None,
     supercell: _Sequence[int] | None = None,
 ) -> dict[str, Any]:
     """What a build would come to, without building: atoms, scale [Å per unit], memory [byte], time [s], obstacles.
@@ -133,6 +141,7 @@ def plan(
     Arguments are those of `build`.
     """
     cell, box = cell_of(surface, cell), cell_of(None, box)
+    pbc = None if pbc is None else _pbc_of(pbc, has_cell=False)
     return _core.plan(source_of(surface), _given(locals()))
 
 

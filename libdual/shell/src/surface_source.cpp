@@ -10,6 +10,7 @@
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/level_set.h"
 #include "trivalent/remesh/periodic.h"
+#include "trivalent/remesh/volume.h"
 #include "trivalent/shell/ideal_source.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/plan.h"
@@ -77,7 +78,39 @@ int euler_characteristic(const remesh::TriMesh& mesh) {
          static_cast<int>(mesh.n_faces());
 }
 
-/// The surface of a formula, of triangles so short that shorter ones show no other topology.
+/// A surface that triangles of any length can be asked for.
+struct Triangulated {
+  std::function<remesh::TriMesh(double edge_length)> with;
+  double first_edge_length;
+  std::string_view name;  ///< for notes
+};
+
+/// Of triangles so short that shorter ones show no other topology.
+Surface resolved(const Triangulated& source, const dual::ShellOptions& options,
+                 const std::array<int, 3>& supercell) {
+  constexpr double finer = 0.7;
+  constexpr int max_refinements = 4;
+  double edge_length = source.first_edge_length;
+  Surface surface{.mesh = source.with(edge_length)};
+  edge_length =
+      std::min(edge_length, fine_edge_length(remesh::repeated(surface.mesh, supercell), options));
+  surface.mesh = source.with(edge_length);
+  for (int i = 0; i < max_refinements; ++i) {
+    edge_length *= finer;
+    remesh::TriMesh fine = source.with(edge_length);
+    const int before = euler_characteristic(surface.mesh);
+    const int after = euler_characteristic(fine);
+    if (before == after) break;
+    surface.mesh = std::move(fine);
+    if (i + 1 < max_refinements) continue;
+    surface.notes.push_back(remesh::concat(
+        "the ", source.name, " has details finer than triangles of ", significant(edge_length),
+        ": its Euler characteristic still changes, from ", before, " to ", after));
+  }
+  surface.mesh = remesh::repeated(surface.mesh, supercell);
+  return surface;
+}
+
 Surface formula_surface(const std::string& text, const dual::ShellOptions& options,
                         const CellOptions& cell) {
   if (!cell.lattice) {
@@ -86,44 +119,64 @@ Surface formula_surface(const std::string& text, const dual::ShellOptions& optio
   }
   const remesh::Formula formula(text);
   const auto field = [&](const Eigen::Vector3d& p) { return formula(p); };
-  const auto surface_of = [&](double edge_length) {
-    return remesh::level_set(field, cell.level, *cell.lattice, edge_length);
-  };
   constexpr double pieces_of_cell = 20.0;
-  constexpr double finer = 0.7;
-  constexpr int max_refinements = 4;
-  double edge_length = cell.lattice->cell().colwise().norm().minCoeff() / pieces_of_cell;
-  Surface surface{.mesh = surface_of(edge_length)};
-  edge_length = std::min(edge_length,
-                         fine_edge_length(remesh::repeated(surface.mesh, cell.supercell), options));
-  surface.mesh = surface_of(edge_length);
-  for (int i = 0; i < max_refinements; ++i) {
-    edge_length *= finer;
-    remesh::TriMesh fine = surface_of(edge_length);
-    const int before = euler_characteristic(surface.mesh);
-    const int after = euler_characteristic(fine);
-    if (before == after) break;
-    surface.mesh = std::move(fine);
-    if (i + 1 < max_refinements) continue;
-    surface.notes.push_back("the formula has details finer than triangles of " +
-                            significant(edge_length) +
-                            ": its Euler characteristic still changes, from " +
-                            std::to_string(before) + " to " + std::to_string(after));
+  return resolved(
+      {.with =
+           [&](double edge_length) {
+             return remesh::level_set(field, cell.level, *cell.lattice, edge_length);
+           },
+       .first_edge_length = cell.lattice->cell().colwise().norm().minCoeff() / pieces_of_cell,
+       .name = "formula"},
+      options, cell.supercell);
+}
+
+Surface volume_surface(const std::string& path, const dual::ShellOptions& options,
+                       remesh::RepairOptions repair, const CellOptions& cell) {
+  if (cell.lattice) {
+    throw remesh::InvalidOption(path +
+                                " has a cell of its own, in which --periodic may make it repeat; "
+                                "--cell and --box belong to meshes and formulas");
   }
-  surface.mesh = remesh::repeated(surface.mesh, cell.supercell);
+  const remesh::Volume volume = remesh::read_volume(path, cell.raw);
+  // Details are a few points wide. More triangles than this across would be millions.
+  constexpr double points_of_edge = 2.0;
+  constexpr double most_pieces = 150.0;
+  const double longest =
+      remesh::lattice_of(volume, cell.periodic).cell().colwise().norm().maxCoeff();
+  const double step = volume.steps.colwise().norm().minCoeff();
+  Surface surface =
+      resolved({.with =
+                    [&](double edge_length) {
+                      return remesh::level_set(volume, cell.level, cell.periodic, edge_length);
+                    },
+                .first_edge_length = std::max(points_of_edge * step, longest / most_pieces),
+                .name = "volume"},
+               options, cell.supercell);
+  if (!surface.mesh.lattice.is_periodic()) {
+    std::vector<std::string> notes = std::move(surface.notes);
+    surface = repair_surface(remesh::soup_of(surface.mesh), options, std::move(repair));
+    surface.notes.insert(surface.notes.begin(), notes.begin(), notes.end());
+  }
+  surface.notes.insert(surface.notes.begin(), volume.notes.begin(), volume.notes.end());
   return surface;
+}
+
+std::vector<std::string> comma_separated(std::string_view text) {
+  std::vector<std::string> words;
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    words.emplace_back(text.substr(0, comma));
+    if (comma == text.size()) return words;
+    text.remove_prefix(comma + 1);
+  }
 }
 
 }  // namespace
 
 remesh::Lattice::Cell parse_cell(const std::string& text) {
   std::vector<double> numbers;
-  std::string_view rest = text;
-  while (true) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    numbers.push_back(remesh::number_of_formula(std::string(rest.substr(0, comma))));
-    if (comma == rest.size()) break;
-    rest.remove_prefix(comma + 1);
+  for (const std::string& word : comma_separated(text)) {
+    numbers.push_back(remesh::number_of_formula(word));
   }
   if (numbers.size() == 1) numbers.resize(3, numbers[0]);
   if (numbers.size() == 3) numbers.resize(6, 90.0);
@@ -141,6 +194,33 @@ remesh::Lattice::Cell parse_cell(const std::string& text) {
     throw remesh::InvalidOption("no cell has the angles of '" + text + "'");
   }
   return cell;
+}
+
+remesh::RawLayout parse_raw_layout(const std::string& text) {
+  const auto refuse = [&] {
+    throw remesh::InvalidOption(
+        "the layout of raw values is nx,ny,nz,type or nx,ny,nz,type,spacing or "
+        "nx,ny,nz,type,a,b,c, as in 64,64,64,uint8,0.5, not '" +
+        text + "'");
+  };
+  const std::vector<std::string> words = comma_separated(text);
+  constexpr std::size_t n_sizes = 3;
+  if (words.size() != n_sizes + 1 && words.size() != n_sizes + 2 && words.size() != n_sizes + 4) {
+    refuse();
+  }
+  remesh::RawLayout layout;
+  for (std::size_t k = 0; k < n_sizes; ++k) {
+    const std::string& word = words[k];
+    const auto [end, error] =
+        std::from_chars(word.data(), word.data() + word.size(), layout.size[k]);
+    if (error != std::errc{} || end != word.data() + word.size()) refuse();
+  }
+  layout.type = words[n_sizes];
+  for (std::size_t k = 0; k < 3 && words.size() > n_sizes + 1; ++k) {
+    const std::string& word = words[words.size() == n_sizes + 2 ? n_sizes + 1 : n_sizes + 1 + k];
+    layout.spacing[static_cast<Eigen::Index>(k)] = remesh::number_of_formula(word);
+  }
+  return layout;
 }
 
 Surface in_cell(Surface surface, const CellOptions& cell) {
@@ -203,6 +283,14 @@ Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
   }
   if (source.starts_with(formula_prefix)) {
     return formula_surface(source.substr(formula_prefix.size()), shell, cell);
+  }
+  if (remesh::is_volume_file(source)) {
+    return volume_surface(source, shell, std::move(repair), cell);
+  }
+  if (cell.raw || cell.periodic != remesh::Lattice::Periodic{}) {
+    throw remesh::InvalidOption(source +
+                                " is no volume, which --raw and --periodic belong to; the "
+                                "cell of a mesh is given by --cell");
   }
   return in_cell(repair_surface(read_soup(source), shell, std::move(repair)), cell);
 }

@@ -1,17 +1,10 @@
 #include "trivalent/remesh/polygon_soup.h"
 
-#define ZLIB_CONST  // zlib reads what it unpacks, and no more
-#include <zlib.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <limits>
-#include <memory>
-#include <new>
 #include <optional>
-#include <system_error>
 
+#include "io/file_bytes.h"
 #include "io/mesh_readers.h"
 #include "trivalent/remesh/error.h"
 
@@ -20,69 +13,6 @@ namespace trivalent::remesh {
 namespace {
 
 namespace fs = std::filesystem;
-
-// ---- bytes of a file ---------------------------------------------------------------------------
-
-std::string read_bytes(const fs::path& path) {
-  const auto complain = [&path](int error_number) {
-    return FileError(concat("read_mesh: ", path.string(),
-                            ": cannot be read: ", std::generic_category().message(error_number)));
-  };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw complain(EISDIR);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) throw complain(errno);
-  std::string bytes;
-  const auto size = fs::file_size(path, ignored);
-  if (!ignored) bytes.reserve(size);
-  std::array<char, 1 << 16> chunk{};
-  while (const std::size_t got = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-    bytes.append(chunk.data(), got);
-  }
-  if (std::ferror(file.get()) != 0) throw complain(errno);
-  return bytes;
-}
-
-bool is_gzipped(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
-
-/// No mesh packs better than this; what does is made to fill the memory. Small ones may, in parts.
-constexpr std::size_t best_compression = 200;
-constexpr std::size_t surely_harmless = 1 << 20;
-
-struct EndInflating {
-  void operator()(z_stream* stream) const { inflateEnd(stream); }
-};
-
-std::string unpack(const Source& source) {
-  z_stream stream{};
-  constexpr int any_window_and_gzip_header = 15 + 32;
-  if (inflateInit2(&stream, any_window_and_gzip_header) != Z_OK) throw std::bad_alloc();
-  const std::unique_ptr<z_stream, EndInflating> ending(&stream);
-  std::string unpacked;
-  const std::string_view input = source.bytes;
-  std::array<char, 1 << 16> chunk{};
-  std::size_t at = 0;
-  for (;;) {
-    const std::size_t given = std::min<std::size_t>(input.size() - at, 1 << 30);
-    stream.next_in = reinterpret_cast<const Bytef*>(input.data() + at);
-    stream.avail_in = static_cast<uInt>(given);
-    stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
-    stream.avail_out = chunk.size();
-    const int status = inflate(&stream, Z_NO_FLUSH);
-    at += given - stream.avail_in;
-    unpacked.append(chunk.data(), chunk.size() - stream.avail_out);
-    if (unpacked.size() > surely_harmless && unpacked.size() / best_compression > at) {
-      fail(source, concat("its first ", at, " bytes unpack to more than ", best_compression,
-                          " times as many; this is no mesh"));
-    }
-    // Several packed parts may follow each other.
-    if (status == Z_STREAM_END && at < input.size() && inflateReset(&stream) == Z_OK) continue;
-    if (status == Z_STREAM_END) return unpacked;
-    if (status != Z_OK)
-      fail(source, concat("damaged gzip data near byte ", at, "; is it cut short?"));
-  }
-}
 
 // ---- kind of file ------------------------------------------------------------------------------
 
@@ -152,13 +82,6 @@ std::optional<Kind> kind_by_mark(const Source& source) {
   if (is_text_stl(source)) return Kind::text_stl;
   if (is_off_keyword(TextScanner(source, Continuation::none).word_across_lines())) return Kind::off;
   return std::nullopt;
-}
-
-/// Extension of the file's name, of what is packed if it is gzipped.
-std::string extension_of(const Source& source) {
-  fs::path name = source.name;
-  if (name.extension() == ".gz") name = name.stem();
-  return lower_case(name.extension().string());
 }
 
 std::optional<Kind> kind_by_extension(const Source& source) {
@@ -263,12 +186,12 @@ BoundingBox bounding_box(std::span<const Eigen::Vector3d> points) {
 }
 
 PolygonSoup parse_polygon_soup(std::string_view bytes, const std::string& name) {
+  // No mesh packs better than this; what does is made to fill the memory.
+  constexpr std::size_t best_compression = 200;
   std::string unpacked;
   if (is_gzipped(bytes)) {
-    unpacked = unpack({bytes, name});
+    unpacked = unpack({bytes, name}, best_compression);
     bytes = unpacked;
-    // Once only: there are files that unpack to themselves.
-    if (is_gzipped(bytes)) fail({bytes, name}, "is gzipped twice; unpack it once");
   }
   const Source source = without_mark({bytes, name});
   if (source.bytes.empty()) fail(source, "the file is empty");

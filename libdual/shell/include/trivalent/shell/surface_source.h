@@ -11,6 +11,7 @@
 #include "trivalent/remesh/mesh_repair.h"
 #include "trivalent/remesh/polygon_soup.h"
 #include "trivalent/remesh/shapes.h"
+#include "trivalent/remesh/volume.h"
 #include "trivalent/shell/build_shell.h"
 
 namespace trivalent::shell {
@@ -51,8 +52,10 @@ struct CellOptions {
   /// Of which a mesh file shows one cell, or under which a formula repeats. For a formula without
   /// periodic directions, the box around its closed surface.
   std::optional<remesh::Lattice> lattice = {};
-  double level = 0.0;                        ///< value of a formula on the surface
-  std::array<int, 3> supercell = {1, 1, 1};  ///< cells along each vector, >= 1
+  double level = 0.0;                         ///< value of a formula or volume on the surface
+  remesh::Lattice::Periodic periodic = {};    ///< axes along which a volume repeats
+  std::optional<remesh::RawLayout> raw = {};  ///< what a .raw file holds
+  std::array<int, 3> supercell = {1, 1, 1};   ///< cells along each vector, >= 1
 };
 
 /// Reads a cell: a, or a,b,c or a,b,c,alpha,beta,gamma, lengths in the surface's unit, angles in
@@ -61,14 +64,20 @@ struct CellOptions {
 /// @throws remesh::InvalidOption if it is no such cell, or has no volume.
 [[nodiscard]] remesh::Lattice::Cell parse_cell(const std::string& text);
 
+/// Reads what a .raw file holds: nx,ny,nz,type with a spacing, or one for each axis, behind.
+///
+/// @throws remesh::InvalidOption if it is no such layout.
+[[nodiscard]] remesh::RawLayout parse_raw_layout(const std::string& text);
+
 /// What marks a source as a formula of x, y and z.
 inline constexpr std::string_view formula_prefix = "formula:";
 
-/// Reads a mesh file and repairs it, or makes a built-in shape or a formula's surface of triangles
-/// about half as long as the shell's, so that it looks smooth to the shell.
+/// Reads a mesh file and repairs it, or makes a built-in shape or the surface of a formula or a
+/// volume of triangles about half as long as the shell's, so that it looks smooth to the shell.
 ///
-/// @param source  a path, "-" for standard input, a built-in shape as parse_shape() takes it, or
-///   formula_prefix and a formula
+/// @param source  the path of a mesh or a volume, "-" for a mesh on standard input, a built-in
+/// shape
+///   as parse_shape() takes it, or formula_prefix and a formula
 /// @param repair  its edge_length_on is set here
 /// @throws remesh::FileError, remesh::InvalidMesh if no surface results
 /// @throws remesh::InvalidOption, dual::InvalidOption if an option is out of its range
