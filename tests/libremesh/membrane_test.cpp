@@ -5,7 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "crystal/membrane_net.h"
 #include "crystal/membrane_preconditioner.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
 namespace {
@@ -118,6 +120,26 @@ TEST(Membrane, RestLengthsFollowTheInnerRadiiOfRings) {
   for (const int size : {4, 5, 6, 7, 8}) {
     EXPECT_NEAR(membrane.rest_length(size - 6, 1), inner_radius(size) + inner_radius(7), 1e-12);
   }
+}
+
+TEST(MembraneNet, CountsCoresAndPairs) {
+  // Twelve pentagons; a flip among hexagons makes two more and two heptagons, with four edges
+  // between them.
+  TriMesh sphere = make_shape("sphere", {}, 0.25);
+  for (const auto e : sphere.edges()) {
+    const bool is_regular = e.v0().valence() == 6 && e.v1().valence() == 6 &&
+                            e.h0().next().to().valence() == 6 && e.h1().next().to().valence() == 6;
+    if (!is_regular) continue;
+    sphere.flip(e);
+    break;
+  }
+  Membrane membrane;
+  membrane.pentagon = 1.0;
+  membrane.heptagon = 10.0;
+  membrane.pair = 100.0;
+  ConstrainedMesh constrained(sphere, {});
+  const MembraneNet net(constrained, sphere, membrane);
+  EXPECT_DOUBLE_EQ(net.core_energy(), 14.0 + 20.0 + 400.0);
 }
 
 TEST(MembraneEnergy, GradientByAnImageIsThatByItsVertex) {

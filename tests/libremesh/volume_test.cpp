@@ -4,8 +4,8 @@
 #include <zlib.h>
 
 #include <Eigen/LU>
-#include <cstring>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <numbers>
@@ -184,8 +184,7 @@ std::string mrc_of(const Volume& volume, const std::array<std::size_t, 3>& axes,
 std::string vti_of(const std::string& extent, const std::string& pieces) {
   return "<?xml version=\"1.0\"?><VTKFile type=\"ImageData\" version=\"1.0\"><ImageData "
          "WholeExtent=\"" +
-         extent + "\" Origin=\"0 0 0\" Spacing=\"0.5 0.25 2\">" + pieces +
-         "</ImageData></VTKFile>";
+         extent + "\" Origin=\"0 0 0\" Spacing=\"0.5 0.25 2\">" + pieces + "</ImageData></VTKFile>";
 }
 
 std::string vti_piece(const std::string& extent, const std::string& kind,
@@ -290,10 +289,9 @@ TEST_F(VolumeFile, ReadsImagesOfVtk) {
   upper.values.erase(upper.values.begin(),
                      upper.values.begin() + static_cast<std::ptrdiff_t>(lower.values.size()));
   wanted.origin = wanted.steps * Eigen::Vector3d(10.5, 0.5, 0.5);
-  const Volume found =
-      read("b.vti", vti_of("10 13 0 4 0 5", vti_piece("10 13 0 4 0 2", "CellData", text_of(lower)) +
-                                                vti_piece("10 13 0 4 2 5", "CellData",
-                                                          text_of(upper))));
+  const Volume found = read(
+      "b.vti", vti_of("10 13 0 4 0 5", vti_piece("10 13 0 4 0 2", "CellData", text_of(lower)) +
+                                           vti_piece("10 13 0 4 2 5", "CellData", text_of(upper))));
   expect_same(found, wanted, 1e-5);
   EXPECT_EQ(found.notes.size(), 1u);  // of several arrays
 }

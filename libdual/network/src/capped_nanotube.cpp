@@ -143,8 +143,7 @@ class Capsule {
     return lattice_constant * std::sqrt(static_cast<double>(norm(around_)));
   }
   [[nodiscard]] double along(LatticeVector point) const {
-    constexpr double cell_area =
-        0.5 * std::numbers::sqrt3 * lattice_constant * lattice_constant;
+    constexpr double cell_area = 0.5 * std::numbers::sqrt3 * lattice_constant * lattice_constant;
     return cell_area * static_cast<double>(cross(around_, point)) / circumference();
   }
   [[nodiscard]] double angle(LatticeVector point) const {
@@ -160,7 +159,9 @@ class Capsule {
   /// Those of the second, in the same direction.
   [[nodiscard]] LatticeVector lower(int k) const { return other_ - upper(-k); }
 
-  static int upper_corner(int k) { return 1 + (k % outer_pentagons + outer_pentagons) % outer_pentagons; }
+  static int upper_corner(int k) {
+    return 1 + (k % outer_pentagons + outer_pentagons) % outer_pentagons;
+  }
   static int lower_corner(int k) { return n_corners + upper_corner(-k); }
 
   /// Sets the point that the first outer pentagon is taken to, at this z or below, such that the
@@ -178,8 +179,8 @@ class Capsule {
       // Of the points in this row, the nearest to half-way between two outer pentagons, where an
       // icosahedron has it.
       const double half_way = 0.5 * static_cast<double>(divisor) / outer_pentagons;
-      const double place = static_cast<double>(twice_dot(turn, other_)) /
-                           static_cast<double>(2 * norm(turn));
+      const double place =
+          static_cast<double>(twice_dot(turn, other_)) / static_cast<double>(2 * norm(turn));
       const std::int64_t turns = std::llround(place - half_way);
       other_ = other_ - turns * turn;
     } while (!add_tube());
@@ -274,8 +275,8 @@ class Capsule {
 
 void check(const CappedNanotube& tube) {
   if (tube.n < 1 || tube.m < 0) {
-    throw InvalidOption(concat("nanotube: n = ", tube.n, ", m = ", tube.m,
-                               "; n must be at least 1, m at least 0"));
+    throw InvalidOption(
+        concat("nanotube: n = ", tube.n, ", m = ", tube.m, "; n must be at least 1, m at least 0"));
   }
   constexpr int max_index = 10000;
   if (tube.n > max_index || tube.m > max_index) {
@@ -287,8 +288,8 @@ void check(const CappedNanotube& tube) {
                                ") is too thin for caps; (5,0) and (3,3) are the thinnest"));
   }
   if (!(tube.length >= 0.0)) {
-    throw InvalidOption(concat("nanotube: the straight part is ", tube.length,
-                               " Å long; it must be 0 or more"));
+    throw InvalidOption(
+        concat("nanotube: the straight part is ", tube.length, " Å long; it must be 0 or more"));
   }
   const double around = lattice_constant * std::sqrt(static_cast<double>(norm({tube.n, tube.m})));
   const double area_per_atom = 0.75 * std::numbers::sqrt3 * graphene_bond * graphene_bond;

@@ -62,9 +62,8 @@ class Triangulator {
       const LatticeVector from = corners[k];
       const LatticeVector along = corners[(k + 1) % 3] - from;
       for (const std::int64_t row : {j, j + 1}) {
-        double part = along.j == 0 ? 0.0
-                                   : static_cast<double>(row - from.j) /
-                                         static_cast<double>(along.j);
+        double part =
+            along.j == 0 ? 0.0 : static_cast<double>(row - from.j) / static_cast<double>(along.j);
         part = std::clamp(part, 0.0, 1.0);
         const double i = static_cast<double>(from.i) + part * static_cast<double>(along.i);
         first = std::min(first, i);
@@ -167,8 +166,7 @@ std::array<double, 3> LatticeFace::weights(LatticeVector point) const {
   const auto area = static_cast<double>(orientation(at[0], at[1], at[2]));
   std::array<double, 3> parts = {};
   for (std::size_t k = 0; k < 3; ++k) {
-    parts[k] =
-        static_cast<double>(orientation(point, at[(k + 1) % 3], at[(k + 2) % 3])) / area;
+    parts[k] = static_cast<double>(orientation(point, at[(k + 1) % 3], at[(k + 2) % 3])) / area;
   }
   return parts;
 }

@@ -15,10 +15,11 @@ namespace trivalent::remesh {
 ///   + ½ k_t (L/m)² Σ ((x - p)·n)²           tether to the surface: foot p, normal n
 ///   + ½ k_s (L/m)² Σ w (|x - s| - d0)²      tether of the surface: samples s farther than d0 from
 ///                                           their vertex, each for w vertices' area
-///   + Σ core(valence) + λ (N - N0)²         N vertices
+///   + Σ core(valence) + n p                 n edges between a pentagon and a heptagon
+///   + λ (N - N0)²                           N vertices
 ///
 /// k, κ and k_t are the same for every L: those of the continuum. L_e is L between hexagons, and
-/// the more the wider the rings at its ends are. The last two terms are not functions of positions.
+/// the more the wider the rings at its ends are. The last three are not functions of positions.
 struct Membrane {
   static constexpr double fine_length = 2.46;  ///< m [Å]
   static constexpr double bending = 1.4;       ///< κ [eV]
@@ -32,6 +33,7 @@ struct Membrane {
   double pentagon = 1.0;        ///< core energy [eV]
   double heptagon = -2.1;       ///< core energy [eV]
   double octagon = 1.8;         ///< core energy [eV]
+  double pair = 0.0;            ///< p [eV]
   /// How much of the difference of a ring's inner radius from that of a hexagon its edges follow:
   /// 0 to 1.
   double ring_width = 0.0;
@@ -48,6 +50,10 @@ struct Membrane {
   [[nodiscard]] double cover_distance() const { return 0.58 * length + slack; }
   /// [eV] of a vertex with valence - 6 = deviation. Beyond one, each step costs as much as no pair.
   [[nodiscard]] double core_energy(int deviation) const;
+  /// Whether two vertices of these valences - 6 are a pentagon and a heptagon.
+  [[nodiscard]] static bool is_pair(int deviation_a, int deviation_b) {
+    return deviation_a * deviation_b == -1;
+  }
   /// λ (N - N0)² [eV] for N - N0 vertices too many.
   [[nodiscard]] double count_energy(int excess) const;
 };

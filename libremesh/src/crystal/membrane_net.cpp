@@ -265,9 +265,13 @@ double MembraneNet::elastic_energy() {
 }
 
 double MembraneNet::core_energy() const {
+  const auto deviation = [](const auto& v) {
+    return static_cast<int>(v.valence()) - (v.is_boundary() ? 4 : 6);
+  };
   double sum = 0.0;
-  for (const auto v : constrained_.mesh.vertices()) {
-    sum += membrane_.core_energy(static_cast<int>(v.valence()) - (v.is_boundary() ? 4 : 6));
+  for (const auto v : constrained_.mesh.vertices()) sum += membrane_.core_energy(deviation(v));
+  for (const auto e : constrained_.mesh.edges()) {
+    if (Membrane::is_pair(deviation(e.v0()), deviation(e.v1()))) sum += membrane_.pair;
   }
   return sum;
 }

@@ -198,7 +198,19 @@ std::optional<MembraneTerms<float>> MembranePatch::terms(VertexImages& images) c
 double MembranePatch::core_energy() const {
   double sum = 0.0;
   for (int i = 0; i < topology_.inner_count(); ++i) {
-    if (topology_.is_inside(i)) sum += membrane_->core_energy(topology_.deviation(i));
+    if (!topology_.is_inside(i)) continue;
+    sum += membrane_->core_energy(topology_.deviation(i)) + pair_energy(i);
+  }
+  return sum;
+}
+
+double MembranePatch::pair_energy(int i) const {
+  double sum = 0.0;
+  for (int k = 0; k < topology_.valence(i); ++k) {
+    const int j = topology_.ring(i)[at(k)];
+    const bool is_counted_there = topology_.is_inside(j) && j < i;
+    if (is_counted_there || topology_.valence(j) == 0) continue;
+    if (Membrane::is_pair(topology_.deviation(i), topology_.deviation(j))) sum += membrane_->pair;
   }
   return sum;
 }

@@ -68,6 +68,8 @@ class MembranePatch {
   /// The image of vertex j that is beside vertex i.
   [[nodiscard]] Lattice::Image image_beside(int i, int j) const;
   [[nodiscard]] double core_energy() const;
+  /// [eV] of the pairs of a vertex that no inner vertex before it counts.
+  [[nodiscard]] double pair_energy(int i) const;
 
   struct Hold {
     Vector foot;

@@ -57,7 +57,16 @@ constexpr double min_ordering_rounds = 1200.0;
 /// The order of a coarse net still has pairs to lose at half its length.
 constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
 /// At finer lengths defects only find their places.
-constexpr Schedule settling = {.hot = 0.5, .cold = 0.0, .rounds = 60};
+constexpr Schedule settling = {.hot = 0.2, .cold = 0.0, .rounds = 60};
+/// Where the number of vertices must change, dislocations have to climb through the net.
+constexpr Schedule climbing = {.hot = 0.5, .cold = 0.0, .rounds = 60};
+/// [eV] of Membrane::pair while a net settles: cores of lone disclinations alone make pairs too
+/// cheap. Relaxed under REBO, Y and X junctions of 2,100 to 2,600 atoms pay 1.0 to 1.9 eV more for
+/// a pair than the membrane does. A net that orders moves its defects by pairs: P, gyroid and
+/// spheres of 960 atoms come out worse with this term.
+constexpr double settled_pair = 1.3;
+/// A free surface may have so many more or fewer vertices than wanted [of those].
+constexpr double free_count = 0.01;
 constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
 /// Parts thinner than this [edges] are inflated for the first net.
@@ -89,10 +98,9 @@ OrderPlan plan_order(const Level& level, double vertices, Effort effort) {
   return {orders, {.hot = level.hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)}};
 }
 
-/// How a net goes on after a division into a level.
-const Schedule& schedule_after(std::size_t first_level, std::size_t level) {
-  const bool is_refined = level == first_level + 1 && levels[level].coarseness > 1;
-  return is_refined ? refining : settling;
+/// Whether a net still orders after a division into a level.
+bool is_refined(std::size_t first_level, std::size_t level) {
+  return level == first_level + 1 && levels[level].coarseness > 1;
 }
 
 constexpr int opening_steps = 100;
@@ -221,11 +229,25 @@ class MembraneSearch {
     order(levels[level]);
     for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
       divide();
-      const Schedule& schedule = schedule_after(level, finer);
-      watch_.expect(rounds_of(schedule));
-      anneal_level(net_, levels[finer], schedule, options_.seed);
+      settle(levels[finer], is_refined(level, finer));
     }
     return true;
+  }
+
+  /// Anneals the net after a division.
+  void settle(const Level& level, bool is_to_order) {
+    const auto vertices = static_cast<int>(net_.mesh.n_vertices());
+    int wanted = wanted_vertices(level);
+    // The coarse net came near to the number without a defect. Whoever changes it now leaves pairs
+    // of 5-7 of about 3 eV each; a cell of a crystal has to have its number.
+    const bool is_near = std::abs(vertices - wanted) <= free_count * wanted;
+    if (is_near && !surface_.lattice.is_periodic()) wanted = vertices;
+    Membrane membrane = membrane_at(level);
+    const bool is_settling = !is_to_order && wanted == vertices;
+    if (is_settling && level.coarseness == 1) membrane.pair = settled_pair;
+    const Schedule& schedule = is_to_order ? refining : is_settling ? settling : climbing;
+    watch_.expect(rounds_of(schedule));
+    anneal(net_, membrane, {.schedule = schedule, .wanted = wanted, .seed = options_.seed});
   }
 
   /// Orders a net of the target length: small ones need no coarse one, thin ones would cross
@@ -290,7 +312,8 @@ class MembraneSearch {
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
       Schedule own = schedule;
       if (k % 2 == 1) own.hot = level.molten;
-      found[k].energy = anneal_level(net, level, own, seed);
+      found[k].energy = anneal(net, membrane_at(level),
+                               {.schedule = own, .wanted = wanted_vertices(level), .seed = seed});
       found[k].state = net.on_surface.state();
     };
     // Small nets have few patches at a time, so that their orders are found at the same time.
@@ -300,39 +323,43 @@ class MembraneSearch {
     if (std::isfinite(best.energy)) net_.on_surface.restore(best.state);
   }
 
+  struct Annealing {
+    Schedule schedule;
+    int wanted;  ///< vertices
+    std::uint64_t seed;
+  };
+
   /// @return  Energy of the membrane, cores and the count term included [eV].
-  double anneal_level(Net& start, const Level& level, const Schedule& schedule,
-                      std::uint64_t seed) {
-    const Membrane membrane = membrane_at(level);
+  double anneal(Net& start, const Membrane& membrane, const Annealing& annealing) {
     start.on_surface.stay_on_sheets(sheet_reach * membrane.length);
     MembraneNet net(start.on_surface, surface_, membrane);
-    const int wanted = wanted_vertices(level);
     if (watch_.stopped()) {
       net.relax(hasty_steps);
-      return energy_of(net, wanted);
+      return energy_of(net, annealing.wanted);
     }
     net.relax(opening_steps, watch_.question());
     net.renew();
     net.relax(opening_steps, watch_.question());
-    const bool is_last = level.coarseness == 1;
+    const bool is_last = membrane.length == Membrane::fine_length;
     MembraneAnnealingOptions options;
-    options.first_temperature = schedule.hot;
-    options.last_temperature = is_last ? 0.0 : schedule.cold;
-    options.rounds = rounds_of(schedule);
-    options.wanted_vertices = wanted;
+    options.first_temperature = annealing.schedule.hot;
+    options.last_temperature = is_last ? 0.0 : annealing.schedule.cold;
+    options.rounds = rounds_of(annealing.schedule);
+    options.wanted_vertices = annealing.wanted;
     // Levels have random numbers of their own.
-    options.seed = 3 * seed + static_cast<std::uint64_t>(level.coarseness);
+    options.seed =
+        3 * annealing.seed + static_cast<std::uint64_t>(std::lround(membrane.coarseness()));
     options.after_round = [&](int) {
       return watch_.goes_on(start.mesh, membrane.length, 1.0 / scale_);
     };
     anneal_membrane(net, options);
-    if (!is_last) return energy_of(net, wanted);
+    if (!is_last) return energy_of(net, annealing.wanted);
     options.first_temperature = 0.0;
     options.rounds = tidying_rounds;
     options.min_deviation = 2;
     options.after_round = {};
     anneal_membrane(net, options);
-    return energy_of(net, wanted);
+    return energy_of(net, annealing.wanted);
   }
 
   /// @param wanted  Number of vertices.
@@ -389,7 +416,7 @@ double annealing_work(double vertices, Effort effort) {
   const auto [orders, schedule] = plan_order(levels[first], vertices_of(first), effort);
   double work = vertices_of(first) * orders * rounds_for(schedule, effort);
   for (std::size_t level = first + 1; level < levels.size(); ++level) {
-    work += vertices_of(level) * rounds_for(schedule_after(first, level), effort);
+    work += vertices_of(level) * rounds_for(is_refined(first, level) ? refining : settling, effort);
   }
   return work;
 }

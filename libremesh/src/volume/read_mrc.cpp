@@ -129,8 +129,9 @@ Volume read_mrc(const Source& source) {
     volume.steps.col(axis) /= static_cast<double>(intervals);
   }
   constexpr std::size_t origin = 50;
-  volume.origin = volume.steps * start + Eigen::Vector3d(header.real(origin), header.real(origin + 1),
-                                                         header.real(origin + 2));
+  volume.origin =
+      volume.steps * start +
+      Eigen::Vector3d(header.real(origin), header.real(origin + 1), header.real(origin + 2));
   volume.values.resize(values.size());
   std::array<std::size_t, 3> stride = {};
   stride[0] = 1;
@@ -140,7 +141,8 @@ Volume read_mrc(const Source& source) {
   for (std::size_t section = 0; section < static_cast<std::size_t>(size[2]); ++section) {
     for (std::size_t row = 0; row < static_cast<std::size_t>(size[1]); ++row) {
       for (std::size_t column = 0; column < static_cast<std::size_t>(size[0]); ++column) {
-        volume.values[column * stride[axes[0]] + row * stride[axes[1]] + section * stride[axes[2]]] =
+        volume
+            .values[column * stride[axes[0]] + row * stride[axes[1]] + section * stride[axes[2]]] =
             values[next++];
       }
     }

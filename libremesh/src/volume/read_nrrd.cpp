@@ -14,47 +14,46 @@ namespace trivalent::remesh {
 namespace {
 
 /// All names that NRRD has for its types.
-constexpr std::array number_formats = {
-    NamedFormat{"signed char", int8},
-    NamedFormat{"int8", int8},
-    NamedFormat{"int8_t", int8},
-    NamedFormat{"uchar", uint8},
-    NamedFormat{"unsigned char", uint8},
-    NamedFormat{"uint8", uint8},
-    NamedFormat{"uint8_t", uint8},
-    NamedFormat{"short", int16},
-    NamedFormat{"short int", int16},
-    NamedFormat{"signed short", int16},
-    NamedFormat{"signed short int", int16},
-    NamedFormat{"int16", int16},
-    NamedFormat{"int16_t", int16},
-    NamedFormat{"ushort", uint16},
-    NamedFormat{"unsigned short", uint16},
-    NamedFormat{"unsigned short int", uint16},
-    NamedFormat{"uint16", uint16},
-    NamedFormat{"uint16_t", uint16},
-    NamedFormat{"int", int32},
-    NamedFormat{"signed int", int32},
-    NamedFormat{"int32", int32},
-    NamedFormat{"int32_t", int32},
-    NamedFormat{"uint", uint32},
-    NamedFormat{"unsigned int", uint32},
-    NamedFormat{"uint32", uint32},
-    NamedFormat{"uint32_t", uint32},
-    NamedFormat{"longlong", int64},
-    NamedFormat{"long long", int64},
-    NamedFormat{"long long int", int64},
-    NamedFormat{"signed long long", int64},
-    NamedFormat{"signed long long int", int64},
-    NamedFormat{"int64", int64},
-    NamedFormat{"int64_t", int64},
-    NamedFormat{"ulonglong", uint64},
-    NamedFormat{"unsigned long long", uint64},
-    NamedFormat{"unsigned long long int", uint64},
-    NamedFormat{"uint64", uint64},
-    NamedFormat{"uint64_t", uint64},
-    NamedFormat{"float", float32},
-    NamedFormat{"double", float64}};
+constexpr std::array number_formats = {NamedFormat{"signed char", int8},
+                                       NamedFormat{"int8", int8},
+                                       NamedFormat{"int8_t", int8},
+                                       NamedFormat{"uchar", uint8},
+                                       NamedFormat{"unsigned char", uint8},
+                                       NamedFormat{"uint8", uint8},
+                                       NamedFormat{"uint8_t", uint8},
+                                       NamedFormat{"short", int16},
+                                       NamedFormat{"short int", int16},
+                                       NamedFormat{"signed short", int16},
+                                       NamedFormat{"signed short int", int16},
+                                       NamedFormat{"int16", int16},
+                                       NamedFormat{"int16_t", int16},
+                                       NamedFormat{"ushort", uint16},
+                                       NamedFormat{"unsigned short", uint16},
+                                       NamedFormat{"unsigned short int", uint16},
+                                       NamedFormat{"uint16", uint16},
+                                       NamedFormat{"uint16_t", uint16},
+                                       NamedFormat{"int", int32},
+                                       NamedFormat{"signed int", int32},
+                                       NamedFormat{"int32", int32},
+                                       NamedFormat{"int32_t", int32},
+                                       NamedFormat{"uint", uint32},
+                                       NamedFormat{"unsigned int", uint32},
+                                       NamedFormat{"uint32", uint32},
+                                       NamedFormat{"uint32_t", uint32},
+                                       NamedFormat{"longlong", int64},
+                                       NamedFormat{"long long", int64},
+                                       NamedFormat{"long long int", int64},
+                                       NamedFormat{"signed long long", int64},
+                                       NamedFormat{"signed long long int", int64},
+                                       NamedFormat{"int64", int64},
+                                       NamedFormat{"int64_t", int64},
+                                       NamedFormat{"ulonglong", uint64},
+                                       NamedFormat{"unsigned long long", uint64},
+                                       NamedFormat{"unsigned long long int", uint64},
+                                       NamedFormat{"uint64", uint64},
+                                       NamedFormat{"uint64_t", uint64},
+                                       NamedFormat{"float", float32},
+                                       NamedFormat{"double", float64}};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -99,7 +98,7 @@ class NrrdReader {
     read_axes(volume);
     const std::string encoding = lower_case(field("encoding"));
     std::string other_file;
-    const std::string name = fields_.contains("data file") ? fields_.at("data file")
+    const std::string name = fields_.contains("data file")  ? fields_.at("data file")
                              : fields_.contains("datafile") ? fields_.at("datafile")
                                                             : std::string();
     if (!name.empty()) {
@@ -120,8 +119,8 @@ class NrrdReader {
     } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
       read_text(volume);
     } else {
-      fail(source_, concat("its encoding is ", in_quotes(encoding),
-                           "; raw, gzip and ascii are read"));
+      fail(source_,
+           concat("its encoding is ", in_quotes(encoding), "; raw, gzip and ascii are read"));
     }
     return volume;
   }

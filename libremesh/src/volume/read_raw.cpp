@@ -6,9 +6,9 @@ namespace trivalent::remesh {
 namespace {
 
 constexpr std::array number_formats = {
-    NamedFormat{"int8", int8},       NamedFormat{"uint8", uint8},   NamedFormat{"int16", int16},
-    NamedFormat{"uint16", uint16},   NamedFormat{"int32", int32},   NamedFormat{"uint32", uint32},
-    NamedFormat{"int64", int64},     NamedFormat{"uint64", uint64}, NamedFormat{"float32", float32},
+    NamedFormat{"int8", int8},      NamedFormat{"uint8", uint8},   NamedFormat{"int16", int16},
+    NamedFormat{"uint16", uint16},  NamedFormat{"int32", int32},   NamedFormat{"uint32", uint32},
+    NamedFormat{"int64", int64},    NamedFormat{"uint64", uint64}, NamedFormat{"float32", float32},
     NamedFormat{"float64", float64}};
 
 }  // namespace
@@ -33,11 +33,10 @@ Volume read_raw(const Source& source, const RawLayout& layout) {
   }
   for (std::size_t k = 0; k < 3; ++k) {
     if (layout.size[k] < 2 || !(layout.spacing[static_cast<Eigen::Index>(k)] > 0.0)) {
-      throw InvalidOption(concat("read_volume: raw values of ", layout.size[0], " x ",
-                                 layout.size[1], " x ", layout.size[2], " points, ",
-                                 layout.spacing.x(), " x ", layout.spacing.y(), " x ",
-                                 layout.spacing.z(),
-                                 " apart; sizes must be 2 or more, spacings above 0"));
+      throw InvalidOption(
+          concat("read_volume: raw values of ", layout.size[0], " x ", layout.size[1], " x ",
+                 layout.size[2], " points, ", layout.spacing.x(), " x ", layout.spacing.y(), " x ",
+                 layout.spacing.z(), " apart; sizes must be 2 or more, spacings above 0"));
     }
   }
   Volume volume{.size = layout.size, .values = values_of(source, layout.size, numbers)};

@@ -18,12 +18,11 @@ struct VolumeFormat {
   Reader read;  ///< null for raw numbers
 };
 
-constexpr std::array formats = {
-    VolumeFormat{".vti", read_vti},   VolumeFormat{".cube", read_cube},
-    VolumeFormat{".cub", read_cube},  VolumeFormat{".nrrd", read_nrrd},
-    VolumeFormat{".nhdr", read_nrrd}, VolumeFormat{".mrc", read_mrc},
-    VolumeFormat{".map", read_mrc},   VolumeFormat{".ccp4", read_mrc},
-    VolumeFormat{".raw", nullptr}};
+constexpr std::array formats = {VolumeFormat{".vti", read_vti},   VolumeFormat{".cube", read_cube},
+                                VolumeFormat{".cub", read_cube},  VolumeFormat{".nrrd", read_nrrd},
+                                VolumeFormat{".nhdr", read_nrrd}, VolumeFormat{".mrc", read_mrc},
+                                VolumeFormat{".map", read_mrc},   VolumeFormat{".ccp4", read_mrc},
+                                VolumeFormat{".raw", nullptr}};
 
 const VolumeFormat* format_of(const Source& source) {
   const auto* const found =
@@ -49,7 +48,8 @@ void check_volume(const Source& source, const Volume& volume) {
       !(std::abs(volume.steps.determinant()) > flat * cuboid)) {
     fail(source, "its three axes span no volume");
   }
-  const auto bad = std::ranges::find_if_not(volume.values, [](float x) { return std::isfinite(x); });
+  const auto bad =
+      std::ranges::find_if_not(volume.values, [](float x) { return std::isfinite(x); });
   if (bad == volume.values.end()) return;
   auto index = bad - volume.values.begin();
   std::array<std::ptrdiff_t, 3> point = {};
@@ -93,8 +93,8 @@ std::vector<float> values_of(const Source& source, const std::array<int, 3>& siz
   const std::size_t width = numbers.format.size;
   if (numbers.bytes.size() / width < points) {
     fail(source, concat("holds ", numbers.bytes.size(), " bytes of values; ", size[0], " x ",
-                        size[1], " x ", size[2], " of ", width, " bytes each are ",
-                        points * width, "; is it cut short?"));
+                        size[1], " x ", size[2], " of ", width, " bytes each are ", points * width,
+                        "; is it cut short?"));
   }
   std::vector<float> values(points);
   for (std::size_t i = 0; i < points; ++i) {

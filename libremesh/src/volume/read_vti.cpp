@@ -65,8 +65,8 @@ class VtiReader {
       numbers.push_back(*number);
     }
     if (numbers.size() != count) {
-      fail(source_, concat(node.name(), ": ", name, " must be ", count, " numbers, not ",
-                           in_quotes(text)));
+      fail(source_,
+           concat(node.name(), ": ", name, " must be ", count, " numbers, not ", in_quotes(text)));
     }
     return numbers;
   }

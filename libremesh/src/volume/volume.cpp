@@ -32,8 +32,8 @@ Stencil stencil_at(double place, int size, bool is_periodic) {
   Stencil stencil = {.points = {}, .weights = cubic_weights(place - before)};
   const auto first = static_cast<long>(before) - 1;
   for (long k = 0; k < 4; ++k) {
-    const long index = is_periodic ? ((first + k) % size + size) % size
-                                   : std::clamp<long>(first + k, 0, size - 1);
+    const long index =
+        is_periodic ? ((first + k) % size + size) % size : std::clamp<long>(first + k, 0, size - 1);
     stencil.points[static_cast<std::size_t>(k)] = static_cast<std::size_t>(index);
   }
   return stencil;
@@ -52,8 +52,8 @@ std::array<int, 3> periods_of(const Volume& volume, const Lattice::Periodic& per
     double largest = 0.0;
     for (std::size_t i = 0; i < volume.values.size(); ++i) {
       if (i / stride % n != 0) continue;
-      const double difference = static_cast<double>(volume.values[i + to_last]) -
-                                static_cast<double>(volume.values[i]);
+      const double difference =
+          static_cast<double>(volume.values[i + to_last]) - static_cast<double>(volume.values[i]);
       largest = std::max(largest, std::abs(difference));
     }
     if (periodic[k] && largest <= tolerance) --periods[k];
@@ -158,9 +158,9 @@ TriMesh level_set(const Volume& volume, double level, const Lattice::Periodic& p
     cell.values.clear();
     for (int z = 0; z < periods[2]; ++z) {
       for (int y = 0; y < periods[1]; ++y) {
-        const auto row = volume.values.begin() + static_cast<std::ptrdiff_t>(volume.size[0]) *
-                                                     (y + static_cast<std::ptrdiff_t>(
-                                                              volume.size[1]) * z);
+        const auto row =
+            volume.values.begin() + static_cast<std::ptrdiff_t>(volume.size[0]) *
+                                        (y + static_cast<std::ptrdiff_t>(volume.size[1]) * z);
         cell.values.insert(cell.values.end(), row, row + periods[0]);
       }
     }

@@ -31,6 +31,7 @@ enum class NetRest {
 struct CrystalOptions {
   double target_edge_length = 0.0;  ///< m, in the mesh's unit, > 0; must be set by the caller
   /// Number of faces that the net should have, if that matters more than the length of its edges.
+  /// Those of a free surface may miss it by 1 %, where only pairs of 5-7 would make up for it.
   std::optional<double> wanted_faces = {};
   Effort effort = Effort::normal;
   std::uint64_t seed = 0;  ///< of the random moves

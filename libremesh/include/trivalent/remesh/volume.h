@@ -13,8 +13,8 @@ namespace trivalent::remesh {
 
 /// Values at the points of a regular grid, such as a tomogram or an electron density.
 struct Volume {
-  std::array<int, 3> size = {0, 0, 0};  ///< points along each axis, >= 2
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();    ///< the first point
+  std::array<int, 3> size = {0, 0, 0};                  ///< points along each axis, >= 2
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();     ///< the first point
   Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();  ///< columns: to the next point of each axis
   std::vector<float> values;                            ///< all finite; the first axis runs fastest
   std::vector<std::string> notes = {};  ///< one sentence per kind of change made while reading
