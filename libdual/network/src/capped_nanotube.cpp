@@ -78,17 +78,18 @@ Cap roundest_cap(LatticeVector sum) {
     }
   }
   std::optional<std::pair<CapDefects, Cap>> best;
-  for (const LatticeVector a : near) {
-    for (const LatticeVector b : near) {
-      for (const LatticeVector c : near) {
-        for (const LatticeVector d : near) {
-          const Cap cap = {{a, b, c, d, sum - a - b - c - d}};
-          if (!is_sound(cap, sum)) continue;
-          const CapDefects defects = defects_of(cap, sum);
-          if (!best || defects < best->first) best = {defects, cap};
-        }
-      }
+  const std::size_t n = near.size();
+  for (std::size_t choice = 0; choice < n * n * n * n; ++choice) {
+    Cap cap = {};
+    cap.spokes.back() = sum;
+    std::size_t rest = choice;
+    for (std::size_t k = 0; k + 1 < outer_pentagons; ++k, rest /= n) {
+      cap.spokes[k] = near[rest % n];
+      cap.spokes.back() = cap.spokes.back() - cap.spokes[k];
     }
+    if (!is_sound(cap, sum)) continue;
+    const CapDefects defects = defects_of(cap, sum);
+    if (!best || defects < best->first) best = {defects, cap};
   }
   if (!best) throw InvalidOption("nanotube: no cap was found for this chiral vector");
   return best->second;
@@ -282,7 +283,7 @@ void check(const CappedNanotube& tube) {
   if (tube.n > max_index || tube.m > max_index) {
     throw InvalidOption("nanotube: n and m can be at most 10000");
   }
-  constexpr int thinnest = 5;
+  constexpr std::int64_t thinnest = 5;
   if (norm({tube.n, tube.m}) < thinnest * thinnest) {
     throw InvalidOption(concat("nanotube: (", tube.n, ",", tube.m,
                                ") is too thin for caps; (5,0) and (3,3) are the thinnest"));

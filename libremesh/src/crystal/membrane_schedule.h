@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivalent/remesh/crystallize.h"
+
+/// The edge lengths, temperatures and rounds of membrane_search.cpp.
+namespace trivalent::remesh {
+
+/// One annealing, at one edge length.
+struct Level {
+  int coarseness;  ///< edge length / target length
+  /// [eV] of cores. At the target length they and the width of rings are fitted to REBO's energies
+  /// of icosahedral fullerenes, tori and schwarzites. At coarse lengths rings have no width; on
+  /// each division a disclination gains about (π/3) κ ln 2 ≈ 1 of bending energy.
+  double pentagon;
+  double heptagon;
+  double octagon;
+  double ring_width;    ///< of Membrane
+  double min_vertices;  ///< of a first net: it needs room for patches
+  /// How a net freezes is luck, so that a small one is ordered up to so many times, and the order
+  /// of least energy is taken.
+  int max_orders;
+  double vertex_rounds;  ///< vertices · rounds of all orders together, within the limits
+  double max_rounds;     ///< of one order: on small nets several short ones find more
+  double hot;            ///< [eV] temperature at which an order begins
+  double molten;         ///< [eV] the same of every other one: crystals turn only once they melt
+};
+inline constexpr std::array<Level, 4> levels = {
+    {{8, 3.7, 0.6, 7.2, 0.0, 200, 4, 1.5e6, 5000, 4.0, 4.0},
+     {4, 2.8, -0.3, 5.4, 0.0, 350, 4, 1.5e6, 5000, 4.0, 4.0},
+     {2, 1.9, -1.2, 3.6, 0.0, 150, 4, 6.0e6, 5000, 4.0, 4.0},
+     {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0, 4.0}}};
+
+/// Temperatures [eV] and rounds of an annealing.
+struct Schedule {
+  double hot;
+  double cold;
+  int rounds;
+};
+/// The first net orders as a whole: slowly.
+inline constexpr double ordering_cold = 0.1;
+inline constexpr double min_ordering_rounds = 1200.0;
+/// The order of a coarse net still has pairs to lose at half its length.
+inline constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
+/// At finer lengths defects only find their places.
+inline constexpr Schedule settling = {.hot = 0.2, .cold = 0.0, .rounds = 60};
+/// Where the number of vertices must change, dislocations have to climb through the net.
+inline constexpr Schedule climbing = {.hot = 0.5, .cold = 0.0, .rounds = 60};
+/// [eV] of Membrane::pair while a net settles: cores of lone disclinations alone make pairs too
+/// cheap. Relaxed under REBO, Y and X junctions of 2,100 to 2,600 atoms pay 1.0 to 1.9 eV more for
+/// a pair than the membrane does. A net that orders moves its defects by pairs: P, gyroid and
+/// spheres of 960 atoms come out worse with this term.
+inline constexpr double settled_pair = 1.3;
+/// [eV] of Membrane::count in coarse nets of periodic cells: once divided, a net without pairs
+/// cannot change its number any more. With 8, orders are worse: gyroid of 1,536 atoms 80.3 instead
+/// of 71.8 meV/atom.
+inline constexpr double exact_count = 3.0;
+/// A free surface may have so many more or fewer vertices than wanted [of those].
+inline constexpr double free_count = 0.01;
+inline constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
+
+/// Rounds of a schedule: fewer for a quick search, more for a thorough one.
+inline int rounds_for(const Schedule& schedule, Effort effort) {
+  // Defects need some rounds to find their places, however short the search.
+  constexpr int min_rounds = 60;
+  return std::max(static_cast<int>(std::lround(schedule.rounds * effort_factor(effort))),
+                  std::min(schedule.rounds, min_rounds));
+}
+
+/// How often and how long a first net is ordered.
+struct OrderPlan {
+  int orders;
+  Schedule schedule;
+};
+
+inline OrderPlan plan_order(const Level& level, double vertices, Effort effort) {
+  const double affordable = level.vertex_rounds / (vertices * min_ordering_rounds);
+  const int orders = effort == Effort::quick
+                         ? 1
+                         : static_cast<int>(std::clamp(affordable, 1.0, 1.0 * level.max_orders));
+  const double rounds =
+      std::clamp(level.vertex_rounds / (vertices * orders), min_ordering_rounds, level.max_rounds);
+  return {orders, {.hot = level.hot, .cold = ordering_cold, .rounds = static_cast<int>(rounds)}};
+}
+
+/// Whether a net still orders after a division into a level.
+inline bool is_refined(std::size_t first_level, std::size_t level) {
+  return level == first_level + 1 && levels[level].coarseness > 1;
+}
+
+}  // namespace trivalent::remesh
