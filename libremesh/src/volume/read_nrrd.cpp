@@ -166,15 +166,19 @@ class NrrdReader {
         volume.steps.col(static_cast<Eigen::Index>(k)) = vector_in(vectors[axes_[k]]);
       }
     } else if (fields_.contains("spacings")) {
-      const std::vector<std::string> words = words_of(field("spacings"));
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (axes_[k] >= words.size()) fail(source_, "it has fewer spacings than axes");
-        const double spacing = number_in(words[axes_[k]], "spacings");
-        const auto i = static_cast<Eigen::Index>(k);
-        if (std::isfinite(spacing)) volume.steps(i, i) = spacing;  // nan: not known
-      }
+      read_spacings(volume);
     }
     if (fields_.contains("space origin")) volume.origin = vector_in(field("space origin"));
+  }
+
+  void read_spacings(Volume& volume) const {
+    const std::vector<std::string> words = words_of(field("spacings"));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (axes_[k] >= words.size()) fail(source_, "it has fewer spacings than axes");
+      const double spacing = number_in(words[axes_[k]], "spacings");
+      const auto i = static_cast<Eigen::Index>(k);
+      if (std::isfinite(spacing)) volume.steps(i, i) = spacing;  // nan: not known
+    }
   }
 
   /// Words "(x,y,z)", with or without blanks in them, and "none".

@@ -80,32 +80,40 @@ Sides sides_at(const Volume& volume, double level, std::size_t axis, bool is_las
   return sides;
 }
 
+/// Which side of the level all borders are on that are not periodic.
+///
+/// @throws InvalidMesh if the surface reaches one of them.
+Sides border_sides(const Volume& volume, double level, const Lattice::Periodic& periodic) {
+  Sides all;
+  for (std::size_t border = 0; border < 6; ++border) {
+    const std::size_t axis = border / 2;
+    const bool is_last = border % 2 == 1;
+    if (periodic[axis]) continue;
+    const Sides sides = sides_at(volume, level, axis, is_last);
+    if (sides.lower && sides.higher) {
+      throw InvalidMesh(concat(
+          "level_set: the surface at ", level, " reaches the ", is_last ? "last" : "first",
+          " points of axis ", "xyz"[axis],
+          "; choose another level, leave a margin around what is inside, or say that the axis "
+          "is periodic"));
+    }
+    all.lower = all.lower || sides.lower;
+    all.higher = all.higher || sides.higher;
+  }
+  return all;
+}
+
 /// Whether the surface is to be turned inside out.
 ///
-/// @throws InvalidMesh if it reaches the border along an axis that is not periodic.
+/// @throws InvalidMesh if it does not close within the volume.
 bool is_higher_inside(const Volume& volume, double level, const Lattice::Periodic& periodic) {
-  Sides all;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (periodic[axis]) continue;
-    for (const bool is_last : {false, true}) {
-      const Sides sides = sides_at(volume, level, axis, is_last);
-      if (sides.lower && sides.higher) {
-        throw InvalidMesh(concat(
-            "level_set: the surface at ", level, " reaches the ", is_last ? "last" : "first",
-            " points of axis ", "xyz"[axis],
-            "; choose another level, leave a margin around what is inside, or say that the axis "
-            "is periodic"));
-      }
-      all.lower = all.lower || sides.lower;
-      all.higher = all.higher || sides.higher;
-    }
-  }
-  const bool is_free = !periodic[0] && !periodic[1] && !periodic[2];
-  if (is_free && all.lower && all.higher) {
+  const Sides sides = border_sides(volume, level, periodic);
+  if (periodic != Lattice::Periodic{}) return false;
+  if (sides.lower && sides.higher) {
     throw InvalidMesh(concat("level_set: some borders of the volume lie above the level ", level,
                              ", some below; the surface does not close within the volume"));
   }
-  return is_free && all.lower;
+  return sides.lower;
 }
 
 }  // namespace
