@@ -273,6 +273,13 @@ Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
                                 " is no surface but atoms already: relax, energy, view, "
                                 "lammps and the others take it in place of a file");
   }
+  const bool is_volume =
+      !is_built_in(source) && !source.starts_with(formula_prefix) && remesh::is_volume_file(source);
+  if (!is_volume && (cell.raw || cell.periodic != remesh::Lattice::Periodic{})) {
+    throw remesh::InvalidOption(source +
+                                " is no volume, which --raw and --periodic belong to; the "
+                                "cell of a mesh is given by --cell");
+  }
   if (is_built_in(source)) {
     if (cell.lattice) {
       throw remesh::InvalidOption(source +
@@ -284,13 +291,8 @@ Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
   if (source.starts_with(formula_prefix)) {
     return formula_surface(source.substr(formula_prefix.size()), shell, cell);
   }
-  if (remesh::is_volume_file(source)) {
+  if (is_volume) {
     return volume_surface(source, shell, std::move(repair), cell);
-  }
-  if (cell.raw || cell.periodic != remesh::Lattice::Periodic{}) {
-    throw remesh::InvalidOption(source +
-                                " is no volume, which --raw and --periodic belong to; the "
-                                "cell of a mesh is given by --cell");
   }
   return in_cell(repair_surface(read_soup(source), shell, std::move(repair)), cell);
 }

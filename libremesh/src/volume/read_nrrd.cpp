@@ -115,7 +115,9 @@ class NrrdReader {
     } else if (encoding == "gzip" || encoding == "gz") {
       constexpr std::size_t best_compression = 1100;
       const std::string unpacked = unpack({data_, source_.name}, best_compression);
-      volume.values = values_of(source_, volume.size, array_of(unpacked));
+      data_ = unpacked;
+      skip("byte skip", "byteskip");
+      volume.values = values_of(source_, volume.size, array_of(data_));
     } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
       read_text(volume);
     } else {

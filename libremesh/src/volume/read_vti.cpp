@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "io/mesh_readers.h"
 #include "io/vtk_xml.h"
 #include "trivalent/remesh/error.h"
@@ -46,7 +48,8 @@ class VtiReader {
       fail(source_, concat("its pieces hold ", declared, " of ", points,
                            " values; a file of parts (.pvti) is not read: save it as one"));
     }
-    volume_.values.resize(points);
+    // What no piece covers stays no number, which is refused.
+    volume_.values.assign(points, std::numeric_limits<float>::quiet_NaN());
     for (const pugi::xml_node piece : image.children("Piece")) read_piece(piece, kind);
     return std::move(volume_);
   }
