@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-cmake --preset release -B build/lint -DTRIVALENT_BUILD_BENCHMARKS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+cmake --preset release -B build/lint -DTRIVALENT_BUILD_BENCHMARKS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=OFF >/dev/null
 
 sources=$(git ls-files 'libremesh/*.cpp' 'libdual/*.cpp' 'potentials/*.cpp' 'apps/*.cpp')
 if [[ $# -gt 0 ]]; then

@@ -53,7 +53,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_build(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_build());
   if (!session) return done;
   BuildRequest request = build_request(*session);
@@ -106,6 +106,6 @@ const Command build_command = {
     .name = "build",
     .synopsis = "SHAPE -o DIR [--atoms N | --length L | --scale s] [options]",
     .meaning = "Turns a shape into a carbon shell with energies and LAMMPS files: the whole way",
-    .run = run};
+    .run = run_build};
 
 }  // namespace trivalent::apps

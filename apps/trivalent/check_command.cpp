@@ -51,7 +51,7 @@ shell::CertifyOptions certify_options(const Session& session) {
   return options;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_check(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_check());
   if (!session) return done;
   shell::CertifyOptions options = certify_options(*session);
@@ -82,6 +82,6 @@ const Command check_command = {
     .name = "check",
     .synopsis = "FILE... [--surface MESH] [--lammps [--ranks N]] [options]",
     .meaning = "Certifies shells: topology, bonds, rings, energies, forces; also against LAMMPS",
-    .run = run};
+    .run = run_check};
 
 }  // namespace trivalent::apps

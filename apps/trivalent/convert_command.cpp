@@ -10,9 +10,6 @@
 namespace trivalent::apps {
 namespace {
 
-// Since --atom-style is the one of the file that is written.
-const std::string input_style = "input-atom-style";
-
 Grammar grammar_of_convert() {
   Grammar grammar = {.arguments = {"IN", "OUT"}, .options = po::options_description("Options")};
   grammar.options.add_options()  //
@@ -36,7 +33,7 @@ dual::WriteOptions write_options(const Session& session) {
   return options;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_convert(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_convert());
   if (!session) return done;
   const dual::WriteOptions options = write_options(*session);
@@ -66,6 +63,6 @@ const Command convert_command = {
     .meaning =
         "Writes atoms in another format: LAMMPS data, POSCAR, CIF, mmCIF, PDB, GRO, MOL2, inputs "
         "of DFTB+, Quantum ESPRESSO and CP2K",
-    .run = run};
+    .run = run_convert};
 
 }  // namespace trivalent::apps

@@ -19,7 +19,7 @@ Grammar grammar_of_dual() {
   return grammar;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_dual(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
   if (!session) return done;
   const dual::DualSize size = dual_size(*session);
@@ -49,6 +49,6 @@ const Command dual_command = {
     .name = "dual",
     .synopsis = "MESH OUT.extxyz|OUT.data [options]",
     .meaning = "Writes the dual of a triangle mesh: an atom per triangle, a bond per edge",
-    .run = run};
+    .run = run_dual};
 
 }  // namespace trivalent::apps

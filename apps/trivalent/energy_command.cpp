@@ -16,7 +16,7 @@
 namespace trivalent::apps {
 namespace {
 
-constexpr std::array<std::string_view, 2> picture_extensions = {".ply", ".vtp"};
+constexpr std::array<std::string_view, 2> map_extensions = {".ply", ".vtp"};
 
 Grammar grammar_of_energy() {
   Grammar grammar = {.arguments = {"FILE"}, .options = po::options_description("Options")};
@@ -57,12 +57,12 @@ std::vector<std::string> write_result(const std::filesystem::path& output,
   return dual::write_structure(output, result.structure(), {.digits = precision});
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_energy(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_energy());
   if (!session) return done;
   const dual::Digits precision = digits(*session);
   const auto output = session->find<std::string>("output");
-  if (output) check_structure_output(*output, picture_extensions);
+  if (output) check_structure_output(*output, map_extensions);
   const shell::EvaluateOptions options = evaluate_options(*session);
   const auto& file = session->get<std::string>("FILE");
   const shell::Evaluation result = shell::evaluate(
@@ -81,6 +81,6 @@ const Command energy_command = {
     .synopsis =
         "FILE.extxyz|FILE.data|MESH [--potential rebo|airebo|lj] [--forces] [-o OUT] [options]",
     .meaning = "Computes energies and forces of atoms, or of the dual of a mesh",
-    .run = run};
+    .run = run_energy};
 
 }  // namespace trivalent::apps

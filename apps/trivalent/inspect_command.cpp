@@ -47,7 +47,7 @@ int exit_code_of(shell::Verdict verdict) {
   return nothing_to_build_on;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_inspect(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_inspect());
   if (!session) return done;
   const shell::InspectOptions options = {
@@ -82,6 +82,6 @@ const Command inspect_command = {
     .name = "inspect",
     .synopsis = "MESH [--against ORIGINAL] [--edge m] [--atoms N] [--repair none|safe|wrap]",
     .meaning = "Tells all about a mesh: what is wrong, what build would do, how regular it is",
-    .run = run};
+    .run = run_inspect};
 
 }  // namespace trivalent::apps

@@ -16,9 +16,6 @@
 namespace trivalent::apps {
 namespace {
 
-// Since --atom-style is the one of the files that are written.
-const std::string input_style = "input-atom-style";
-
 Grammar grammar_of_lammps() {
   Grammar grammar = {.arguments = {"NETWORK"}, .options = po::options_description("Options")};
   const dual::LammpsPackageOptions defaults;
@@ -90,7 +87,7 @@ Result result_of(const std::filesystem::path& folder, std::size_t n_atoms, doubl
   return result;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_lammps(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_lammps());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which folder the files go");
@@ -124,6 +121,6 @@ const Command lammps_command = {
     .meaning =
         "Writes a folder with which LAMMPS can start: data, and input scripts that check, "
         "relax and run it",
-    .run = run};
+    .run = run_lammps};
 
 }  // namespace trivalent::apps

@@ -14,7 +14,7 @@
 namespace trivalent::apps {
 namespace {
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_relax(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_relax());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say into which file the result goes");
@@ -53,6 +53,6 @@ const Command relax_command = {
     .name = "relax",
     .synopsis = "NETWORK -o OUT.extxyz [--max-force F] [--minimizer lbfgs|fire] [options]",
     .meaning = "Brings atoms, or the dual of a mesh, to rest",
-    .run = run};
+    .run = run_relax};
 
 }  // namespace trivalent::apps

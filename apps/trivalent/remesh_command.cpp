@@ -22,7 +22,7 @@ Grammar grammar_of_remesh() {
   return grammar;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_remesh(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_remesh());
   if (!session) return done;
   if (!session->has("edge")) throw UsageError("--edge must say how long edges are to be");
@@ -63,6 +63,6 @@ const Command remesh_command = {
     .name = "remesh",
     .synopsis = "IN OUT --edge m [options]",
     .meaning = "Remeshes a surface until all edges come close to one length",
-    .run = run};
+    .run = run_remesh};
 
 }  // namespace trivalent::apps

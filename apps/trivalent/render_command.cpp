@@ -68,7 +68,7 @@ dual::PictureOptions picture_options(const Session& session) {
   return options;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_render(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_render());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say where the picture goes");
@@ -99,6 +99,6 @@ const Command render_command = {
     .name = "render",
     .synopsis = "FILE... -o PICTURE.png [--color energy] [--style atoms|rings] [options]",
     .meaning = "Draws atoms as a picture, colored by energy and more; needs no screen",
-    .run = run};
+    .run = run_render};
 
 }  // namespace trivalent::apps

@@ -37,7 +37,7 @@ void write_ideal(const Session& session) {
   session.terminal.print(describe_written(output, structure, notes));
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_shape(const Command& self, std::span<const std::string> arguments) {
   Grammar grammar = {.arguments = {"NAME", "OUT"}, .options = po::options_description("Options")};
   grammar.options.add_options()  //
       ("edge", with_default(default_edge_length),
@@ -68,6 +68,6 @@ const Command shape_command = {
     .synopsis = "NAME[:parameter=value,...] OUT [--edge l]",
     .meaning =
         "Writes a built-in shape as a mesh (OFF, OBJ, PLY, STL), or an ideal structure as atoms",
-    .run = run};
+    .run = run_shape};
 
 }  // namespace trivalent::apps

@@ -8,10 +8,13 @@
 
 namespace trivalent::apps {
 
+/// The option for the atom_style of what is read, where --atom-style is what the command writes.
+inline const std::string input_style = "input-atom-style";
+
 /// How to read atoms: --periodic, --format, --elements, --frame and the atom_style of LAMMPS data;
 /// and --length, --scale and --bond for the dual of a mesh.
 ///
-/// @param style_option  another name where --atom-style is what the command writes
+/// @param style_option  input_style where --atom-style is what the command writes
 void add_structure_options(po::options_description& options,
                            const std::string& style_option = "atom-style");
 

@@ -48,7 +48,7 @@ Result describe(const std::vector<dual::ShellState>& states, const std::filesyst
   return result;
 }
 
-int run(const Command& self, std::span<const std::string> arguments) {
+int run_view(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_view());
   if (!session) return done;
   if (!session->has("output")) throw UsageError("-o must say where the page goes");
@@ -72,6 +72,6 @@ const Command view_command = {
     .name = "view",
     .synopsis = "FILE... -o PAGE.html [--potential rebo|airebo|lj] [options]",
     .meaning = "Writes a page that shows atoms in 3D, colored by energy and more",
-    .run = run};
+    .run = run_view};
 
 }  // namespace trivalent::apps

@@ -61,6 +61,8 @@ TEST_F(BuildCommand, TakesVolumes) {
   expect_failure(2, "no volume", "build " TRIVALENT_MESHES "/elephant.off --periodic xyz -o mesh");
   expect_failure(2, "--level belongs to", "build sphere --level 1 -o sphere");
   expect_failure(2, "layout", "build p.cube --raw 4,4,uint8 -o raw");
+  expect_failure(2, "no volume", "build sphere --periodic z -o sphere");
+  expect_failure(2, "no volume", "build sphere --raw 4,4,4,uint8 -o sphere");
 }
 
 TEST_F(BuildCommand, LowersTheEnergyOfARealMesh) {

@@ -191,12 +191,12 @@ TEST(Pdb, NumbersAtomsBeyond99999InHybrid36) {
   EXPECT_EQ(text.str().find("CONECT"), std::string::npos);
 }
 
-const std::string atom =
+const std::string pdb_atom =
     "HETATM    1  C   UNL A   1       1.000   2.000   3.000  1.00  0.00           C\n";
 
 TEST(Pdb, ReadsTheLastModelOrTheOneThatIsNamed) {
   const std::string second = "HETATM    1  C   UNL A   1       1.500   2.000   3.000\n";
-  const std::string text = "MODEL 1\n" + atom + "ENDMDL\nMODEL 2\n" + second + "ENDMDL\n";
+  const std::string text = "MODEL 1\n" + pdb_atom + "ENDMDL\nMODEL 2\n" + second + "ENDMDL\n";
   EXPECT_EQ(file_of("a.pdb", text).structure.atoms.positions[0].x(), 1.5);
   EXPECT_EQ(file_of("a.pdb", text, {.frame = 1}).structure.atoms.positions[0].x(), 1.0);
   EXPECT_THROW(static_cast<void>(file_of("a.pdb", text, {.frame = 3})), FileError);
@@ -204,7 +204,8 @@ TEST(Pdb, ReadsTheLastModelOrTheOneThatIsNamed) {
 
 TEST(Pdb, ForgetsBondsOfAnEarlierModel) {
   const std::string second = "HETATM    2  C   UNL A   1       1.500   2.000   3.000\n";
-  const StructureFile file = file_of("a.pdb", atom + second + "CONECT    1    2\nMODEL 2\n" + atom);
+  const StructureFile file =
+      file_of("a.pdb", pdb_atom + second + "CONECT    1    2\nMODEL 2\n" + pdb_atom);
   EXPECT_EQ(file.structure.atoms.size(), 1u);
   EXPECT_TRUE(file.structure.bonds.empty());
 }
@@ -212,7 +213,7 @@ TEST(Pdb, ForgetsBondsOfAnEarlierModel) {
 TEST(Pdb, TakesTheUnitCubeForNoCell) {
   const std::string cube =
       "CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n";
-  EXPECT_FALSE(file_of("a.pdb", cube + atom).structure.atoms.box.is_periodic());
+  EXPECT_FALSE(file_of("a.pdb", cube + pdb_atom).structure.atoms.box.is_periodic());
 }
 
 const std::string cell_of_cif =
@@ -355,9 +356,9 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
             "HETATM    1 SI   UNL A   1       1.000   2.000   3.000  1.00  0.00          SI\n",
             "line 1: element"},
            {"a.pdb", "HETATM    1  C   UNL A   1       1.000   2.0x0   3.000\n", "line 1"},
-           {"a.pdb", atom + "CONECT    1    2\n", "line 2: there is no atom"},
-           {"a.pdb", atom + atom + "CONECT    1    1\n", "line 3: several atoms"},
-           {"a.pdb", "CRYST1    9.000    9.000    9.000  10.00  10.00 170.00 P 1\n" + atom,
+           {"a.pdb", pdb_atom + "CONECT    1    2\n", "line 2: there is no atom"},
+           {"a.pdb", pdb_atom + pdb_atom + "CONECT    1    1\n", "line 3: several atoms"},
+           {"a.pdb", "CRYST1    9.000    9.000    9.000  10.00  10.00 170.00 P 1\n" + pdb_atom,
             "line 1: no cell"},
            {"a.mol2", mol2 + "1 C 0 0 0\n", "line 7: expected id"},
            {"a.mol2", mol2 + "1 C 0 0 0 Si\n", "line 7: type"},

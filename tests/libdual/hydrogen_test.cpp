@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "small_meshes.h"
+#include "small_structures.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/check_atoms.h"
 #include "trivalent/dual/error.h"
@@ -21,11 +22,6 @@ Eigen::Vector3d along(const Structure& network, int from, int to) {
 
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-potentials::Atoms carbon_at(std::vector<Eigen::Vector3d> positions) {
-  const std::vector species(positions.size(), potentials::Species::carbon);
-  return {.positions = std::move(positions), .species = species, .box = {}};
 }
 
 constexpr double third_of_a_turn = 2.0 * 3.14159265358979323846 / 3.0;
@@ -72,7 +68,7 @@ TEST(CapWithHydrogen, KnowsWhichAtomsAreHydrogen) {
 }
 
 TEST(CapWithHydrogen, TakesBondsInOneLine) {
-  Structure chain = {.atoms = carbon_at({{0, 0, 0}, {1.4, 0, 0}, {2.8, 0, 0}}),
+  Structure chain = {.atoms = testing_support::carbon_at({{0, 0, 0}, {1.4, 0, 0}, {2.8, 0, 0}}),
                      .bonds = {{0, 1}, {1, 2}}};
   EXPECT_EQ(cap_with_hydrogen(chain).hydrogens, 5);
   for (const auto& position : chain.atoms.positions) EXPECT_TRUE(position.allFinite());
@@ -83,7 +79,7 @@ TEST(CapWithHydrogen, TakesBondsInOneLine) {
 }
 
 TEST(CapWithHydrogen, LeavesClosedNetworksAndBareAtomsAlone) {
-  Structure lone = {.atoms = carbon_at({{0, 0, 0}})};
+  Structure lone = {.atoms = testing_support::carbon_at({{0, 0, 0}})};
   EXPECT_EQ(cap_with_hydrogen(lone).bare_atoms, 1);
   EXPECT_EQ(lone.atoms.positions.size(), 1u);
 }

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "small_meshes.h"
+#include "small_structures.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/padded_box.h"
@@ -17,34 +17,28 @@ using potentials::Species;
 using testing_support::message_of;
 using testing_support::TemporaryFolder;
 
-Structure c20() {
-  Structure structure = build_dual(testing_support::icosahedron());
-  structure.atoms.box = padded_box(structure.atoms.positions);
-  return structure;
-}
-
-std::string text_of(const Structure& data, const LammpsDataOptions& options = {}) {
+std::string data_text_of(const Structure& data, const LammpsDataOptions& options = {}) {
   std::ostringstream out;
   write_lammps_data(out, data, options);
   return out.str();
 }
 
-StructureFile file_of(const std::string& text) {
+StructureFile data_file_of(const std::string& text) {
   const TemporaryFolder folder;
   return read_lammps_data(folder.file("shell.data", text));
 }
 
-Structure read_back(const std::string& text) { return file_of(text).structure; }
+Structure read_data_back(const std::string& text) { return data_file_of(text).structure; }
 
-std::string complaint_about(const std::string& text) {
-  return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
+std::string complaint_about_data(const std::string& text) {
+  return message_of<FileError>([&] { static_cast<void>(read_data_back(text)); });
 }
 
 TEST(WriteLammpsData, FollowsTheFormat) {
   Structure data;
   data.atoms.positions = {{1, 2, 3}};
   data.atoms.species = {Species::carbon};
-  EXPECT_EQ(text_of(data, {.title = "one atom"}),
+  EXPECT_EQ(data_text_of(data, {.title = "one atom"}),
             "LAMMPS data file: one atom\n\n1 atoms\n1 atom types\n\n"
             "-9 11 xlo xhi\n-8 12 ylo yhi\n-7 13 zlo zhi\n\n"
             "Masses\n\n1 12.011 # C\n\nAtoms # atomic\n\n"
@@ -53,10 +47,10 @@ TEST(WriteLammpsData, FollowsTheFormat) {
 
 TEST(WriteLammpsData, ReadsBackToTheSameBits) {
   for (const AtomStyle style : {AtomStyle::atomic, AtomStyle::molecular}) {
-    Structure data = c20();
+    Structure data = testing_support::boxed_c20();
     data.atoms.species[3] = Species::hydrogen;
     const auto [copy, notes] =
-        file_of(text_of(data, {.style = style, .digits = Digits::seventeen_significant}));
+        data_file_of(data_text_of(data, {.style = style, .digits = Digits::seventeen_significant}));
     EXPECT_EQ(copy.atoms.positions, data.atoms.positions);
     EXPECT_EQ(copy.atoms.species, data.atoms.species);
     EXPECT_EQ(copy.bonds.size(), style == AtomStyle::molecular ? data.bonds.size() : 0u);
@@ -65,10 +59,10 @@ TEST(WriteLammpsData, ReadsBackToTheSameBits) {
 }
 
 TEST(WriteLammpsData, KeepsATiltedBox) {
-  Structure data = c20();
+  Structure data = testing_support::boxed_c20();
   data.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
   data.atoms.box.periodic = {true, true, true};
-  const Structure copy = read_back(text_of(data));
+  const Structure copy = read_data_back(data_text_of(data));
   EXPECT_EQ(copy.atoms.box.cell, data.atoms.box.cell);
   EXPECT_EQ(copy.atoms.box.origin, data.atoms.box.origin);
 }
@@ -79,49 +73,51 @@ TEST(WriteLammpsData, HoldsAtomsThatLeftABoxWhereItIsNotPeriodic) {
   data.atoms.species.assign(3, Species::carbon);
   data.atoms.box.cell.diagonal() = Eigen::Vector3d(4, 5, 6);
   data.atoms.box.periodic = {true, false, false};
-  const std::string text = text_of(data);
+  const std::string text = data_text_of(data);
   EXPECT_NE(text.find("\n0 4 xlo xhi\n"), std::string::npos);    // periodic: atoms are wrapped
   EXPECT_NE(text.find("\n0 5 ylo yhi\n"), std::string::npos);    // all are inside
   EXPECT_NE(text.find("\n-15 6 zlo zhi\n"), std::string::npos);  // the lowest, and 10 Å
 }
 
 TEST(WriteLammpsData, ThrowsOnABoxThatLammpsCannotHave) {
-  Structure data = c20();
+  Structure data = testing_support::boxed_c20();
   data.atoms.box.cell(1, 0) = 1.0;
-  EXPECT_THROW(text_of(data), InvalidOption);
-  data = c20();
+  EXPECT_THROW(data_text_of(data), InvalidOption);
+  data = testing_support::boxed_c20();
   data.atoms.box.cell(0, 1) = 0.6 * data.atoms.box.cell(0, 0);
-  EXPECT_THROW(text_of(data), InvalidOption);
-  data = c20();
+  EXPECT_THROW(data_text_of(data), InvalidOption);
+  data = testing_support::boxed_c20();
   data.atoms.box.cell(2, 2) = -1.0;
-  EXPECT_THROW(text_of(data), InvalidOption);
+  EXPECT_THROW(data_text_of(data), InvalidOption);
 }
 
 TEST(WriteLammpsData, ThrowsOnATitleOfTwoLines) {
-  EXPECT_THROW(text_of(c20(), {.title = "a\nb"}), InvalidOption);
-  EXPECT_THROW(text_of(c20(), {.title = std::string(300, 'a')}), InvalidOption);
+  EXPECT_THROW(data_text_of(testing_support::boxed_c20(), {.title = "a\nb"}), InvalidOption);
+  EXPECT_THROW(data_text_of(testing_support::boxed_c20(), {.title = std::string(300, 'a')}),
+               InvalidOption);
 }
 
 TEST(WriteLammpsData, ThrowsOnABondToAMissingAtom) {
-  Structure data = c20();
+  Structure data = testing_support::boxed_c20();
   data.bonds.push_back({0, 20});
-  EXPECT_THROW(text_of(data), InvalidNetwork);
+  EXPECT_THROW(data_text_of(data), InvalidNetwork);
 }
 
 TEST(WriteLammpsData, ThrowsOnMissingSpeciesAndInfiniteCoordinates) {
-  Structure data = c20();
+  Structure data = testing_support::boxed_c20();
   data.atoms.species.pop_back();
-  EXPECT_THROW(text_of(data), InvalidNetwork);
-  data = c20();
+  EXPECT_THROW(data_text_of(data), InvalidNetwork);
+  data = testing_support::boxed_c20();
   data.atoms.positions[0].x() = HUGE_VAL;
-  EXPECT_THROW(text_of(data), InvalidNetwork);
+  EXPECT_THROW(data_text_of(data), InvalidNetwork);
 }
 
 TEST(WriteLammpsData, ThrowsWhereNoFileCanBe) {
-  EXPECT_THROW(write_lammps_data("/nonexistent/folder/a.data", c20()), FileError);
+  EXPECT_THROW(write_lammps_data("/nonexistent/folder/a.data", testing_support::boxed_c20()),
+               FileError);
 }
 
-const std::string header =
+const std::string data_header =
     "title\n\n2 atoms\n1 atom types\n0 5 xlo xhi\n0 5 ylo yhi\n0 5 zlo zhi\n";
 const std::string masses = "\nMasses\n\n1 12.0107\n";
 
@@ -134,7 +130,7 @@ TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
       "\nAtoms  # full\n\n2 7 1 0.5 1 2 3\n1 7 1 0 0 0 0\n",
       "\nAtoms\n\n2 7 1 0.5 1 2 3 0 0 0\n1 7 1 0 0 0 0 0 0 0\n\nVelocities\n\n1 0 0 0\n2 0 0 0\n"};
   for (const std::string& section : sections) {
-    const Structure data = read_back(header + masses + section);
+    const Structure data = read_data_back(data_header + masses + section);
     ASSERT_EQ(data.atoms.size(), 2u) << section;
     EXPECT_EQ(data.atoms.positions[1], Eigen::Vector3d(1, 2, 3)) << section;
     EXPECT_EQ(data.atoms.species[0], Species::carbon);
@@ -144,7 +140,7 @@ TEST(ReadLammpsData, ReadsAllStylesWithAndWithoutHintAndImageFlags) {
 }
 
 TEST(ReadLammpsData, ReadsGeneralTriclinicBoxes) {
-  const Structure data = read_back(
+  const Structure data = read_data_back(
       "title\n1 atoms\n1 atom types\n0 2 0 avec\n-3 0 0 bvec\n0 1 4 cvec\n5 6 7 abc origin\n" +
       masses + "\nAtoms # atomic\n\n1 1 5 6 7\n");
   EXPECT_EQ(data.atoms.box.cell.col(0), Eigen::Vector3d(0, 2, 0));
@@ -155,18 +151,20 @@ TEST(ReadLammpsData, ReadsGeneralTriclinicBoxes) {
 
 TEST(ReadLammpsData, ReadsTypeLabels) {
   const std::string labels = "\nAtom Type Labels\n\n1 carbon_a\n";
-  const Structure data = read_back(header + labels +
-                                   "\nMasses\n\ncarbon_a 12.011\n\nPair Coeffs\n\ncarbon_a 1 2\n"
-                                   "\nAtoms # atomic\n\n1 carbon_a 0 0 0\n2 1 1 2 3\n");
+  const Structure data =
+      read_data_back(data_header + labels +
+                     "\nMasses\n\ncarbon_a 12.011\n\nPair Coeffs\n\ncarbon_a 1 2\n"
+                     "\nAtoms # atomic\n\n1 carbon_a 0 0 0\n2 1 1 2 3\n");
   EXPECT_EQ(data.atoms.species, (std::vector<Species>{Species::carbon, Species::carbon}));
   const Structure by_label =
-      read_back(header + "\nAtom Type Labels\n\n1 H\n\nAtoms\n\n1 H 0 0 0\n2 H 0 0 1\n");
+      read_data_back(data_header + "\nAtom Type Labels\n\n1 H\n\nAtoms\n\n1 H 0 0 0\n2 H 0 0 1\n");
   EXPECT_EQ(by_label.atoms.species[1], Species::hydrogen);
 }
 
 TEST(ReadLammpsData, ReadsStylesThatHaveTheColumnsOfOthers) {
   for (const std::string style : {"bond", "angle", "molecular"}) {
-    EXPECT_EQ(read_back(header + masses + "\nAtoms # " + style + "\n\n1 9 1 0 0 0\n2 9 1 1 2 3\n")
+    EXPECT_EQ(read_data_back(data_header + masses + "\nAtoms # " + style +
+                             "\n\n1 9 1 0 0 0\n2 9 1 1 2 3\n")
                   .atoms.size(),
               2u);
   }
@@ -176,7 +174,7 @@ TEST(ReadLammpsData, TellsChargeFromMolecularByTheTypes) {
   // The third field is no type: charge. The second is none: molecular.
   for (const std::string rows : {"1 1 0 0 0 0\n2 1 0 1 2 3\n", "1 7 1 0 0 0\n2 7 1 1 2 3\n",
                                  "1 1 -0.25 0 0 0\n2 1 0.25 1 2 3\n"}) {
-    const Structure data = read_back(header + masses + "\nAtoms\n\n" + rows);
+    const Structure data = read_data_back(data_header + masses + "\nAtoms\n\n" + rows);
     EXPECT_EQ(data.atoms.positions[1], Eigen::Vector3d(1, 2, 3)) << rows;
   }
   const TemporaryFolder folder;
@@ -191,7 +189,7 @@ TEST(ReadLammpsData, TellsChargeFromMolecularByTheTypes) {
 
 TEST(ReadLammpsData, TakesElementsFromTheCallerOrNotesItsGuess) {
   const TemporaryFolder folder;
-  const auto path = folder.file("a.data", header + "\nAtoms\n\n1 1 0 0 0\n2 1 1 2 3\n");
+  const auto path = folder.file("a.data", data_header + "\nAtoms\n\n1 1 0 0 0\n2 1 1 2 3\n");
   const auto [guessed, notes] = read_lammps_data(path);
   EXPECT_EQ(guessed.atoms.species[0], Species::carbon);
   ASSERT_EQ(notes.size(), 1u);
@@ -202,17 +200,17 @@ TEST(ReadLammpsData, TakesElementsFromTheCallerOrNotesItsGuess) {
 }
 
 TEST(ReadLammpsData, LeavesOutBondsWhoseImagesAreOpen) {
-  const auto [data, notes] =
-      file_of("title\n2 bonds\n" + header.substr(6) + masses +
-              "\nAtoms # molecular\n\n1 1 1 0 0 0\n2 1 1 2.5 0 0\n\nBonds\n\n1 1 1 2\n2 1 2 1\n");
+  const auto [data, notes] = data_file_of(
+      "title\n2 bonds\n" + data_header.substr(6) + masses +
+      "\nAtoms # molecular\n\n1 1 1 0 0 0\n2 1 1 2.5 0 0\n\nBonds\n\n1 1 1 2\n2 1 2 1\n");
   EXPECT_TRUE(data.bonds.empty());
   EXPECT_EQ(notes.size(), 1u);
 }
 
 TEST(ReadLammpsData, RenumbersIdsWithGaps) {
   const auto [data, notes] =
-      file_of("title\n1 bonds\n" + header.substr(6) + masses +
-              "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
+      data_file_of("title\n1 bonds\n" + data_header.substr(6) + masses +
+                   "\nAtoms # atomic\n\n90 1 1 2 3\n7 1 0 0 0\n\nBonds\n\n1 1 90 7\n");
   ASSERT_EQ(data.bonds.size(), 1u);
   EXPECT_EQ(data.bonds[0].first, 1u);
   EXPECT_EQ(data.bonds[0].second, 0u);
@@ -222,7 +220,7 @@ TEST(ReadLammpsData, RenumbersIdsWithGaps) {
 TEST(ReadLammpsData, ReadsGzip) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "shell.data.gz";
-  const std::string text = text_of(c20());
+  const std::string text = data_text_of(testing_support::boxed_c20());
   gzFile file = gzopen(path.c_str(), "wb");
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
   gzclose(file);
@@ -241,44 +239,47 @@ TEST(ReadLammpsData, NamesTheLineOfEveryFault) {
       {"title\n2000000000 atoms\n", "cut short"},
       {"title\n1 atoms\n5 0 xlo xhi\n", "line 3"},
       {"title\n1 atoms\n0 nan xlo xhi\n", "line 3"},
-      {header + masses + "\nVelocities\n\n1 0 0 0\n2 0 0 0\n", "no section Atoms"},
-      {header + masses + atoms, "after 1 of 2 rows"},
-      {header + masses + atoms + "1 1 1 1 1\n", "line 16: atom 1 appears a second time"},
-      {header + masses + atoms + "2 1 1 1 1\n3 1 1 1 1\n", "line 17"},
-      {header + masses + atoms + "2 1 1 1 nan\n", "line 16"},
-      {header + masses + atoms + "2 1 1 1\n", "line 16"},
-      {header + masses + atoms + "0 1 1 1 1\n", "line 16"},
-      {header + masses + atoms + "2 2 1 1 1\n", "line 16: atom 2 is of type '2'"},
-      {header + masses + "\nAtoms # sphere\n\n", "atom_style 'sphere'"},
-      {header + "\nMasses\n\n1 15.999\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
-      {header + "\nMasses\n\n2 12.011\n" + atoms, "line 11"},
+      {data_header + masses + "\nVelocities\n\n1 0 0 0\n2 0 0 0\n", "no section Atoms"},
+      {data_header + masses + atoms, "after 1 of 2 rows"},
+      {data_header + masses + atoms + "1 1 1 1 1\n", "line 16: atom 1 appears a second time"},
+      {data_header + masses + atoms + "2 1 1 1 1\n3 1 1 1 1\n", "line 17"},
+      {data_header + masses + atoms + "2 1 1 1 nan\n", "line 16"},
+      {data_header + masses + atoms + "2 1 1 1\n", "line 16"},
+      {data_header + masses + atoms + "0 1 1 1 1\n", "line 16"},
+      {data_header + masses + atoms + "2 2 1 1 1\n", "line 16: atom 2 is of type '2'"},
+      {data_header + masses + "\nAtoms # sphere\n\n", "atom_style 'sphere'"},
+      {data_header + "\nMasses\n\n1 15.999\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
+      {data_header + "\nMasses\n\n2 12.011\n" + atoms, "line 11"},
       {"title\n2 atoms\n2 atom types\n" + atoms + "2 1 1 1 1\n", "no mass of C or H"},
-      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\n", "no section Bonds"},
-      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\nBonds\n\n1 1 1 3\n",
+      {"title\n1 bonds\n" + data_header.substr(6) + masses + atoms + "2 1 1 1 1\n",
+       "no section Bonds"},
+      {"title\n1 bonds\n" + data_header.substr(6) + masses + atoms +
+           "2 1 1 1 1\nBonds\n\n1 1 1 3\n",
        "names atom 3"},
-      {header + masses + atoms + "2 1 1 1 1\n" + atoms, "second section Atoms"},
-      {header + "5 walls\n" + masses + atoms, "line 8: line of the header"},
-      {header + "0 5 xlo xhi\n" + masses + atoms, "second line xlo xhi"},
-      {header + "1 0 0 avec\n" + masses + atoms, "both avec"},
-      {header + "0 0 0 abc origin\n" + masses + atoms, "abc origin goes with"},
+      {data_header + masses + atoms + "2 1 1 1 1\n" + atoms, "second section Atoms"},
+      {data_header + "5 walls\n" + masses + atoms, "line 8: line of the header"},
+      {data_header + "0 5 xlo xhi\n" + masses + atoms, "second line xlo xhi"},
+      {data_header + "1 0 0 avec\n" + masses + atoms, "both avec"},
+      {data_header + "0 0 0 abc origin\n" + masses + atoms, "abc origin goes with"},
       {"title\n1 atoms\n1 atom types\n1 0 0 avec\n0 1 0 bvec\n0 0 -1 cvec\n" + masses + atoms,
        "not right-handed"},
       {"title\n1 atoms\n1 atom types\n1 0 0 avec\n" + masses + atoms, "lacks one of avec"},
-      {"title\n1 ellipsoids\n" + header.substr(6) + masses + atoms, "ellipsoids"},
-      {header + "\nMasses\n\n1 12.011 # H\n" + atoms + "2 1 1 1 1\n", "line 11: the mass"},
-      {header + "\nAtom Type Labels\n\n1 H\n" + masses + atoms + "2 1 1 1 1\n", "the mass"},
-      {header + "\nMasses\n\n1 0\n" + atoms, "mass must be > 0"},
-      {"LAMMPS data file via write_data, timestep = 0, units = lj\n" + header.substr(6) + masses +
-           atoms + "2 1 1 1 1\n",
+      {"title\n1 ellipsoids\n" + data_header.substr(6) + masses + atoms, "ellipsoids"},
+      {data_header + "\nMasses\n\n1 12.011 # H\n" + atoms + "2 1 1 1 1\n", "line 11: the mass"},
+      {data_header + "\nAtom Type Labels\n\n1 H\n" + masses + atoms + "2 1 1 1 1\n", "the mass"},
+      {data_header + "\nMasses\n\n1 0\n" + atoms, "mass must be > 0"},
+      {"LAMMPS data file via write_data, timestep = 0, units = lj\n" + data_header.substr(6) +
+           masses + atoms + "2 1 1 1 1\n",
        "line 1: the file is in units lj"},
-      {"title\n1 bonds\n" + header.substr(6) + masses + atoms + "2 1 1 1 1\nBonds\n\n1 1 2 2\n",
+      {"title\n1 bonds\n" + data_header.substr(6) + masses + atoms +
+           "2 1 1 1 1\nBonds\n\n1 1 2 2\n",
        "joins atom 2 to itself"},
       {"title\n2 atoms\n2 atom types\n\nMasses\n\n1 12.011\n2 1.008\n\nAtoms\n\n1 1 2 0 0 0\n"
        "2 2 1 1 1 1\n",
        "line 12: atom_style may be molecular or charge"}};
   for (const auto& [text, part] : cases) {
-    EXPECT_NE(complaint_about(text).find(part), std::string::npos)
-        << text << "\n-> " << complaint_about(text);
+    EXPECT_NE(complaint_about_data(text).find(part), std::string::npos)
+        << text << "\n-> " << complaint_about_data(text);
   }
 }
 

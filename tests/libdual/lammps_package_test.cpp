@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "small_meshes.h"
+#include "small_structures.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/padded_box.h"
@@ -12,18 +12,12 @@
 namespace trivalent::dual {
 namespace {
 
-using testing_support::content_of;
+using testing_support::contents_of;
 using testing_support::TemporaryFolder;
-
-Structure c20() {
-  Structure structure = build_dual(testing_support::icosahedron());
-  structure.atoms.box = padded_box(structure.atoms.positions);
-  return structure;
-}
 
 TEST(LammpsPackage, WritesEveryFileItNames) {
   const TemporaryFolder folder;
-  const auto names = write_lammps_package(folder.path(), c20(), -1.0).files;
+  const auto names = write_lammps_package(folder.path(), testing_support::boxed_c20(), -1.0).files;
   EXPECT_EQ(names,
             (std::vector<std::string>{"shell.data", "in.check", "in.relax", "in.md", "README.md"}));
   for (const std::string& name : names) {
@@ -33,11 +27,11 @@ TEST(LammpsPackage, WritesEveryFileItNames) {
 
 TEST(LammpsPackage, CompressedDataIsTheSameData) {
   const TemporaryFolder folder;
-  const Structure data = c20();
+  const Structure data = testing_support::boxed_c20();
   const auto names =
       write_lammps_package(folder.path(), data, -1.0, {.compression = Compression::gzip}).files;
   ASSERT_EQ(names.front(), "shell.data.gz");
-  EXPECT_EQ(content_of(folder.path() / names.front()).substr(0, 2), "\x1f\x8b");
+  EXPECT_EQ(contents_of(folder.path() / names.front()).substr(0, 2), "\x1f\x8b");
   const Structure back = read_lammps_data(folder.path() / names.front()).structure;
   ASSERT_EQ(back.atoms.size(), data.atoms.size());
   for (std::size_t i = 0; i < data.atoms.size(); ++i) {
@@ -47,22 +41,22 @@ TEST(LammpsPackage, CompressedDataIsTheSameData) {
 
 TEST(LammpsPackage, PartsHoldEveryAtomOnce) {
   const TemporaryFolder folder;
-  const Structure data = c20();
+  const Structure data = testing_support::boxed_c20();
   (void)write_lammps_package(folder.path(), data, -1.0);
   (void)write_lammps_package(folder.path(), data, -1.0, {.name = "part", .atoms_per_file = 7});
   const auto rows = [&](const std::string& name) {
-    const std::string text = content_of(folder.path() / name);
+    const std::string text = contents_of(folder.path() / name);
     return text.substr(text.find("Atoms # atomic\n\n") + 16);
   };
   EXPECT_EQ(rows("part.1.data") + rows("part.2.data") + rows("part.3.data"), rows("shell.data"));
-  EXPECT_NE(content_of(folder.path() / "part.3.data").find("\n6 atoms\n"), std::string::npos);
+  EXPECT_NE(contents_of(folder.path() / "part.3.data").find("\n6 atoms\n"), std::string::npos);
 }
 
 TEST(LammpsPackage, WritesThreeAnglesAtEveryAtom) {
   const TemporaryFolder folder;
   const LammpsDataOptions options = {.style = AtomStyle::molecular, .angles = true};
-  (void)write_lammps_package(folder.path(), c20(), -1.0, {.data = options});
-  const std::string text = content_of(folder.path() / "shell.data");
+  (void)write_lammps_package(folder.path(), testing_support::boxed_c20(), -1.0, {.data = options});
+  const std::string text = contents_of(folder.path() / "shell.data");
   EXPECT_NE(text.find("\n30 bonds\n60 angles\n"), std::string::npos);
   std::istringstream rows(text.substr(text.find("Angles\n\n") + 8));
   std::vector<int> middles(20, 0);
@@ -73,14 +67,14 @@ TEST(LammpsPackage, WritesThreeAnglesAtEveryAtom) {
 
 TEST(LammpsPackage, SaysHowAtomsWereRotated) {
   const TemporaryFolder folder;
-  Structure data = c20();
+  Structure data = testing_support::boxed_c20();
   data.atoms.box.cell.setZero();
   data.atoms.box.cell.col(2) = Eigen::Vector3d(30, 0, 0);
   data.atoms.box.periodic = {false, false, true};
   const LammpsPackage package = write_lammps_package(folder.path(), data, -1.0);
   EXPECT_NEAR((package.rotation * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitZ()).norm(), 0.0,
               1e-14);
-  EXPECT_NE(content_of(folder.path() / "README.md").find("rotated"), std::string::npos);
+  EXPECT_NE(contents_of(folder.path() / "README.md").find("rotated"), std::string::npos);
   const Structure back = read_lammps_data(folder.path() / "shell.data").structure;
   for (std::size_t i = 0; i < data.atoms.size(); ++i) {
     const Eigen::Vector3d there = package.rotation * data.atoms.positions[i];
@@ -91,15 +85,17 @@ TEST(LammpsPackage, SaysHowAtomsWereRotated) {
 TEST(LammpsPackage, ThrowsOnWhatCannotBeWritten) {
   const TemporaryFolder folder;
   const LammpsDataOptions molecular = {.style = AtomStyle::molecular};
-  EXPECT_THROW(write_lammps_package(folder.path(), c20(), -1.0, {.atoms_per_file = 0}),
+  EXPECT_THROW(write_lammps_package(folder.path(), testing_support::boxed_c20(), -1.0,
+                                    {.atoms_per_file = 0}),
                InvalidOption);
-  EXPECT_THROW(
-      write_lammps_package(folder.path(), c20(), -1.0, {.data = molecular, .atoms_per_file = 7}),
-      InvalidOption);
-  Structure bare = c20();
+  EXPECT_THROW(write_lammps_package(folder.path(), testing_support::boxed_c20(), -1.0,
+                                    {.data = molecular, .atoms_per_file = 7}),
+               InvalidOption);
+  Structure bare = testing_support::boxed_c20();
   bare.bonds.clear();
   EXPECT_THROW(write_lammps_package(folder.path(), bare, -1.0, {.data = molecular}), InvalidOption);
-  EXPECT_THROW(write_lammps_package("/nonexistent/folder", c20(), -1.0), FileError);
+  EXPECT_THROW(write_lammps_package("/nonexistent/folder", testing_support::boxed_c20(), -1.0),
+               FileError);
 }
 
 TEST(LammpsPackage, ThrowsBeyondTheIdsOfLammps) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "small_meshes.h"
+#include "small_structures.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/error.h"
 
@@ -12,11 +13,6 @@ namespace {
 using testing_support::flat_sheet;
 using testing_support::icosahedron;
 using testing_support::torus;
-
-potentials::Atoms carbon_at(std::vector<Eigen::Vector3d> positions) {
-  const std::vector species(positions.size(), potentials::Species::carbon);
-  return {.positions = std::move(positions), .species = species, .box = {}};
-}
 
 TEST(CheckNetwork, FindsSixTimesTheEulerCharacteristicOnASphere) {
   const NetworkReport report = check_network(build_dual(icosahedron()));
@@ -35,7 +31,7 @@ TEST(CheckNetwork, FindsSixTimesTheEulerCharacteristicOnATorus) {
 }
 
 TEST(CheckNetwork, MeasuresBondLengths) {
-  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}, {1, 3, 0}}),
+  const Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}, {1, 0, 0}, {1, 3, 0}}),
                              .bonds = {{0, 1}, {1, 2}}};
   const NetworkReport report = check_network(network);
   EXPECT_EQ(report.bond_mean, 2.0);
@@ -46,7 +42,8 @@ TEST(CheckNetwork, MeasuresBondLengths) {
 }
 
 TEST(CheckNetwork, MeasuresBondsAcrossPeriodicBoundaries) {
-  Structure network = {.atoms = carbon_at({{0, 0, 0}, {4, 0, 0}}), .bonds = {{0, 1, {-1, 0, 0}}}};
+  Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}, {4, 0, 0}}),
+                       .bonds = {{0, 1, {-1, 0, 0}}}};
   network.atoms.box.cell.diagonal() = Eigen::Vector3d(5, 5, 5);
   network.atoms.box.periodic = {true, true, true};
   EXPECT_EQ(check_network(network).bond_max, 1.0);
@@ -56,17 +53,20 @@ TEST(CheckNetwork, MeasuresBondsAcrossPeriodicBoundaries) {
 }
 
 TEST(CheckNetwork, ThrowsOnABondToAMissingAtom) {
-  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}}), .bonds = {{0, 2}}};
+  const Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}, {1, 0, 0}}),
+                             .bonds = {{0, 2}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
 TEST(CheckNetwork, ThrowsOnABondOfAnAtomToItself) {
-  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}}), .bonds = {{1, 1}}};
+  const Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}, {1, 0, 0}}),
+                             .bonds = {{1, 1}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
 TEST(CheckNetwork, ThrowsOnARingWithAMissingAtom) {
-  const Structure network = {.atoms = carbon_at({{0, 0, 0}}), .rings = {{{0, -1, 0}}}};
+  const Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}}),
+                             .rings = {{{0, -1, 0}}}};
   EXPECT_THROW(static_cast<void>(check_network(network)), InvalidNetwork);
 }
 
@@ -83,7 +83,7 @@ TEST(RingSizesAtAtoms, LeavesZerosWhereTheEdgeCutsRings) {
 }
 
 TEST(RingSizesAtAtoms, ThrowsOnAnAtomInFourRings) {
-  const Structure network = {.atoms = carbon_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+  const Structure network = {.atoms = testing_support::carbon_at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
                              .rings = std::vector(4, Ring{{0, 1, 2}})};
   EXPECT_THROW(static_cast<void>(ring_sizes_at_atoms(network)), InvalidNetwork);
 }

@@ -5,24 +5,11 @@
 #include <numbers>
 #include <vector>
 
-#include "trivalent/remesh/mesh.h"
+#include "mesh_fixtures.h"
 
 namespace testing_support {
 
 using Triangles = std::vector<std::array<int, 3>>;
-
-/// Regular icosahedron around the origin, edge length 2.
-inline trivalent::remesh::TriMesh icosahedron() {
-  const double phi = std::numbers::phi;
-  const std::vector<Eigen::Vector3d> points = {
-      {-1, phi, 0},  {1, phi, 0},  {-1, -phi, 0}, {1, -phi, 0}, {0, -1, phi},  {0, 1, phi},
-      {0, -1, -phi}, {0, 1, -phi}, {phi, 0, -1},  {phi, 0, 1},  {-phi, 0, -1}, {-phi, 0, 1}};
-  const Triangles triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                               {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                               {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                               {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-  return trivalent::remesh::make_mesh(points, triangles);
-}
 
 /// Torus of n_long × n_short quads around z, each cut into two triangles: every valence is 6.
 inline trivalent::remesh::TriMesh torus(int n_long, int n_short) {

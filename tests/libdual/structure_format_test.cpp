@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "small_meshes.h"
+#include "small_structures.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/dual_size.h"
@@ -21,7 +21,7 @@
 namespace trivalent::dual {
 namespace {
 
-using testing_support::content_of;
+using testing_support::contents_of;
 using testing_support::TemporaryFolder;
 
 // A format as somebody may add it: one atom of carbon a line, nothing else.
@@ -65,20 +65,14 @@ class ToyFormat : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-Structure c20() {
-  remesh::TriMesh mesh = testing_support::icosahedron();
-  remesh::scale(mesh, scale_for_size(mesh, MeanBond{1.45}));
-  return build_dual(mesh);
-}
-
 TEST_F(ToyFormat, IsReadEvaluatedRelaxedAndShown) {
   const auto path = folder_.path() / "c20.toy";
-  write_structure(path, c20(), {.digits = Digits::seventeen_significant});
+  write_structure(path, testing_support::c20(), {.digits = Digits::seventeen_significant});
   Structure read = shell::read_structure(path).structure;
-  EXPECT_EQ(read.atoms.positions, c20().atoms.positions);
+  EXPECT_EQ(read.atoms.positions, testing_support::c20().atoms.positions);
 
   shell::Evaluation evaluation = shell::evaluate(read);
-  EXPECT_EQ(evaluation.energy.energy, shell::evaluate(c20()).energy.energy);
+  EXPECT_EQ(evaluation.energy.energy, shell::evaluate(testing_support::c20()).energy.energy);
   const shell::RelaxedStructure relaxed = shell::relax(read);
   write_structure(folder_.path() / "relaxed.toy.gz", relaxed.structure);
   EXPECT_EQ(shell::read_structure(folder_.path() / "relaxed.toy.gz").structure.atoms.size(), 20u);
@@ -123,12 +117,13 @@ TEST(StructureFormats, ReadBackWhatTheyWrite) {
     if (format.read == nullptr) continue;
     for (const std::string& extension : format.extensions) {
       const auto path = folder.path() / ("c20" + extension);
-      write_structure(path, c20(), {.digits = Digits::seventeen_significant});
+      write_structure(path, testing_support::c20(), {.digits = Digits::seventeen_significant});
       const Structure back = shell::read_structure(path).structure;
       ASSERT_EQ(back.atoms.size(), 20u);
       for (std::size_t i = 0; i < 20; ++i) {  // some put a corner of the cell at the origin
         const Eigen::Vector3d moved = back.atoms.positions[i] - back.atoms.positions[0];
-        const Eigen::Vector3d expected = c20().atoms.positions[i] - c20().atoms.positions[0];
+        const Eigen::Vector3d expected =
+            testing_support::c20().atoms.positions[i] - testing_support::c20().atoms.positions[0];
         EXPECT_LE((moved - expected).norm(), format.name == "pdb" ? 2e-3 : 1e-8) << format.name;
       }
       const auto renamed = folder.path() / "renamed";
@@ -141,7 +136,7 @@ TEST(StructureFormats, ReadBackWhatTheyWrite) {
 
 TEST(StructureFormats, WriteAnyBoxForLammps) {
   const TemporaryFolder folder;
-  Structure turned = c20();
+  Structure turned = testing_support::c20();
   turned.atoms.box.cell << 0, 30, 0, 0, 0, 30, 30, 0, 0;
   turned.atoms.box.cell.col(0) *= -1.0;
   turned.atoms.box.periodic = {true, true, true};
@@ -152,15 +147,15 @@ TEST(StructureFormats, WriteAnyBoxForLammps) {
   EXPECT_NE(notes[0].find("rotated"), std::string::npos);
   EXPECT_NE(notes[1].find("cell vectors"), std::string::npos);
   EXPECT_TRUE(write_structure(folder.path() / "turned.extxyz", turned).empty());
-  EXPECT_NE(content_of(path).find("rotated by"), std::string::npos);
+  EXPECT_NE(contents_of(path).find("rotated by"), std::string::npos);
   EXPECT_NEAR(shell::evaluate(shell::read_structure(path).structure).energy.energy,
               shell::evaluate(turned).energy.energy, 1e-9);
 }
 
 TEST(StructureFormats, RefuseOptionsOfOthers) {
   const TemporaryFolder folder;
-  write_structure(folder.path() / "a.extxyz", c20());
-  write_structure(folder.path() / "a.data", c20());
+  write_structure(folder.path() / "a.extxyz", testing_support::c20());
+  write_structure(folder.path() / "a.data", testing_support::c20());
   EXPECT_THROW(static_cast<void>(shell::read_structure(
                    folder.path() / "a.extxyz", {.reading = {.atom_style = AtomStyle::full}})),
                InvalidOption);
@@ -171,7 +166,7 @@ TEST(StructureFormats, RefuseOptionsOfOthers) {
 
 TEST(StructureFormats, SayWhatTheyDoNotKnow) {
   EXPECT_THROW(static_cast<void>(structure_format("docx")), InvalidOption);
-  EXPECT_THROW(write_structure("a.docx", c20()), InvalidOption);
+  EXPECT_THROW(write_structure("a.docx", testing_support::c20()), InvalidOption);
   EXPECT_THROW(static_cast<void>(shell::read_structure("-")), InvalidOption);
   EXPECT_THROW(static_cast<void>(shell::read_structure("a.off", {.reading = {.frame = 2}})),
                InvalidOption);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "small_meshes.h"
+#include "small_structures.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/dual/dual_size.h"
@@ -25,12 +26,6 @@
 
 namespace trivalent::shell {
 namespace {
-
-dual::Structure c20() {
-  remesh::TriMesh mesh = testing_support::icosahedron();
-  remesh::scale(mesh, dual::scale_for_size(mesh, dual::MeanBond{1.45}));
-  return dual::build_dual(mesh);
-}
 
 BuildOptions small_build() {
   BuildOptions options;
@@ -65,7 +60,7 @@ TEST(ParseShape, ReadsNameAndParameters) {
 }
 
 TEST(AtomsInGroups, JoinsGroupsInAscendingOrder) {
-  const dual::Structure structure = c20();
+  const dual::Structure structure = testing_support::c20();
   using Atoms = std::vector<std::uint32_t>;
   EXPECT_EQ(atoms_in_groups({"ids:3-4", "ids:1,4"}, structure.atoms, structure.bonds),
             (Atoms{0, 2, 3}));
@@ -265,19 +260,20 @@ TEST(WriteBuild, LeavesAShellThatReadsBackTheSame) {
 }
 
 TEST(Certify, FindsAtomsThatAreNotAtRest) {
-  const Certificate certificate = certify(c20());
+  const Certificate certificate = certify(testing_support::c20());
   EXPECT_FALSE(certificate.is_sound());
   EXPECT_EQ(certificate.json()["sound"], false);
   EXPECT_TRUE(certificate.shell.is_closed());
-  EXPECT_TRUE(certify(relax(c20()).structure).shell.is_closed());
-  EXPECT_THROW(static_cast<void>(certify(c20(), {.max_force = 0.0})), dual::InvalidOption);
-  EXPECT_THROW(
-      static_cast<void>(certify(c20(), {.potential = {.name = "lj"}, .lammps = LammpsOptions{}})),
-      dual::InvalidOption);
+  EXPECT_TRUE(certify(relax(testing_support::c20()).structure).shell.is_closed());
+  EXPECT_THROW(static_cast<void>(certify(testing_support::c20(), {.max_force = 0.0})),
+               dual::InvalidOption);
+  EXPECT_THROW(static_cast<void>(certify(testing_support::c20(),
+                                         {.potential = {.name = "lj"}, .lammps = LammpsOptions{}})),
+               dual::InvalidOption);
 }
 
 TEST(Relax, BringsAtomsToRestAndSaysHowFarTheyMoved) {
-  const dual::Structure start = c20();
+  const dual::Structure start = testing_support::c20();
   const RelaxedStructure result = relax(start);
   EXPECT_TRUE(result.relaxed.converged);
   const Evaluation after = evaluate(result.structure, {.forces = ForceReport::all});
@@ -293,9 +289,12 @@ TEST(Relax, BringsAtomsToRestAndSaysHowFarTheyMoved) {
 }
 
 TEST(Relax, RefusesOptionsOutOfTheirRange) {
-  EXPECT_THROW(static_cast<void>(relax(c20(), {.max_force = 0.0})), dual::InvalidOption);
-  EXPECT_THROW(static_cast<void>(relax(c20(), {.max_steps = 0})), dual::InvalidOption);
-  EXPECT_THROW(static_cast<void>(relax(c20(), {.lammps = LammpsRelaxation{.style = "newton"}})),
+  EXPECT_THROW(static_cast<void>(relax(testing_support::c20(), {.max_force = 0.0})),
+               dual::InvalidOption);
+  EXPECT_THROW(static_cast<void>(relax(testing_support::c20(), {.max_steps = 0})),
+               dual::InvalidOption);
+  EXPECT_THROW(static_cast<void>(
+                   relax(testing_support::c20(), {.lammps = LammpsRelaxation{.style = "newton"}})),
                dual::InvalidOption);
 }
 

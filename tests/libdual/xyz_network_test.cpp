@@ -9,6 +9,7 @@
 #include "trivalent/dual/build_dual.h"
 #include "trivalent/formats/xyz.h"
 #include "trivalent/potentials/bonds.h"
+#include "xyz_text.h"
 
 // The columns bonded_atoms and bonded_images of extended XYZ.
 namespace trivalent::dual {
@@ -16,17 +17,6 @@ namespace {
 
 using potentials::Species;
 using testing_support::TemporaryFolder;
-
-std::string text_of(const Structure& structure) {
-  std::ostringstream out;
-  write_xyz(out, structure, Digits::ten_decimals);
-  return out.str();
-}
-
-StructureFile file_of(const std::string& text) {
-  const TemporaryFolder folder;
-  return read_xyz(folder.file("atoms.extxyz", text));
-}
 
 /// Bonds with their atoms and the bonds in order, to be compared.
 std::vector<std::array<std::int64_t, 5>> sorted(const std::vector<potentials::Bond>& bonds) {
@@ -42,7 +32,7 @@ std::vector<std::array<std::int64_t, 5>> sorted(const std::vector<potentials::Bo
 
 TEST(XyzNetwork, KeepsTheNetwork) {
   const Structure network = build_dual(testing_support::icosahedron());
-  const Structure copy = file_of(text_of(network)).structure;
+  const Structure copy = xyz_file_of(xyz_text_of(network)).structure;
   ASSERT_EQ(copy.bonds.size(), network.bonds.size());
   EXPECT_EQ(sorted(copy.bonds), sorted(network.bonds));
 }
@@ -63,7 +53,7 @@ Structure graphene_cell() {
 TEST(XyzNetwork, KeepsTheImagesOfBonds) {
   const Structure cell = graphene_cell();
   ASSERT_EQ(cell.bonds.size(), 3u);
-  EXPECT_EQ(sorted(file_of(text_of(cell)).structure.bonds), sorted(cell.bonds));
+  EXPECT_EQ(sorted(xyz_file_of(xyz_text_of(cell)).structure.bonds), sorted(cell.bonds));
 }
 
 TEST(XyzNetwork, MendsImagesOfAtomsThatWereWrapped) {
@@ -71,12 +61,12 @@ TEST(XyzNetwork, MendsImagesOfAtomsThatWereWrapped) {
   // A cell of its own for each bond, so that the nearest image is the bonded one.
   cell.atoms.box.cell *= 4.0;
   cell.bonds = {{.first = 0, .second = 1}};
-  std::string text = text_of(cell);
+  std::string text = xyz_text_of(cell);
   const std::string second = "C 0.0000000000 1.4200000000 8.0000000000";
   const std::size_t at = text.find(second);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, second.size(), "C 9.8400000000 1.4200000000 8.0000000000");
-  const auto [structure, notes] = file_of(text);
+  const auto [structure, notes] = xyz_file_of(text);
   ASSERT_EQ(structure.bonds.size(), 1u);
   EXPECT_NEAR(potentials::bond_length(structure.atoms, structure.bonds[0]), 1.42, 1e-12);
   EXPECT_EQ(notes.size(), 1u);
@@ -87,7 +77,7 @@ TEST(XyzNetwork, LeavesOutBondsThatDoNotMatch) {
   for (const std::string rows :
        {"C 0 0 0 1 -1\nC 1 0 0 2 -1\nC 2 0 0 1 -1\n", "C 0 0 0 1 -1\nC 1 0 0 0 7\nC 2 0 0 -1 -1\n",
         "C 0 0 0 0 -1\nC 1 0 0 -1 -1\nC 2 0 0 -1 -1\n"}) {
-    const auto [structure, notes] = file_of(head + rows);
+    const auto [structure, notes] = xyz_file_of(head + rows);
     EXPECT_EQ(structure.atoms.size(), 3u);
     EXPECT_TRUE(structure.bonds.empty());
     ASSERT_EQ(notes.size(), 1u);
@@ -96,7 +86,7 @@ TEST(XyzNetwork, LeavesOutBondsThatDoNotMatch) {
 }
 
 TEST(XyzNetwork, LeavesOutBondsToImagesBeyondCounting) {
-  const auto [structure, notes] = file_of(
+  const auto [structure, notes] = xyz_file_of(
       "1\nLattice=\"2 0 0 0 2 0 0 0 2\" "
       "Properties=species:S:1:pos:R:3:bonded_atoms:I:1:bonded_images:I:3\n"
       "C 0 0 0 0 -2147483648 0 0\n");

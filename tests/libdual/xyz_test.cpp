@@ -14,6 +14,7 @@
 #include "trivalent/dual/columns.h"
 #include "trivalent/dual/padded_box.h"
 #include "trivalent/potentials/bonds.h"
+#include "xyz_text.h"
 
 namespace trivalent::dual {
 namespace {
@@ -36,25 +37,14 @@ Structure two_atoms() {
   return frame;
 }
 
-std::string text_of(const Structure& frame, Digits digits = Digits::ten_decimals) {
-  std::ostringstream out;
-  write_xyz(out, frame, digits);
-  return out.str();
-}
-
-StructureFile file_of(const std::string& text) {
-  const TemporaryFolder folder;
-  return read_xyz(folder.file("atoms.extxyz", text));
-}
-
-Structure read_back(const std::string& text) { return file_of(text).structure; }
+Structure read_back(const std::string& text) { return xyz_file_of(text).structure; }
 
 std::string complaint_about(const std::string& text) {
   return message_of<FileError>([&] { static_cast<void>(read_back(text)); });
 }
 
 TEST(WriteXyz, WritesLatticePropertiesAndPbcTogether) {
-  const std::string text = text_of(two_atoms());
+  const std::string text = xyz_text_of(two_atoms());
   const std::string header = text.substr(0, text.find('\n', 2));
   EXPECT_NE(header.find("Lattice=\""), std::string::npos);
   EXPECT_NE(header.find(" Properties=species:S:1:pos:R:3:energies:R:1:coordination:I:1:forces:R:3:"
@@ -65,14 +55,14 @@ TEST(WriteXyz, WritesLatticePropertiesAndPbcTogether) {
 }
 
 TEST(WriteXyz, UsesTenDecimals) {
-  const std::string text = text_of(two_atoms());
+  const std::string text = xyz_text_of(two_atoms());
   EXPECT_NE(text.find("\nC 0.0000000000 0.1000000000 -0.3333333333 -7.2500000000 3 1.0000000000"),
             std::string::npos);
 }
 
 TEST(WriteXyz, KeepsEveryBitWithSeventeenDigits) {
   const Structure frame = two_atoms();
-  const auto [copy, notes] = file_of(text_of(frame, Digits::seventeen_significant));
+  const auto [copy, notes] = xyz_file_of(xyz_text_of(frame, Digits::seventeen_significant));
   EXPECT_EQ(copy.atoms.positions, frame.atoms.positions);
   EXPECT_EQ(copy.atoms.species, frame.atoms.species);
   ASSERT_EQ(copy.columns.size(), frame.columns.size());
@@ -87,7 +77,7 @@ TEST(WriteXyz, KeepsEveryBitWithSeventeenDigits) {
 }
 
 TEST(WriteXyz, PadsTheBoxOfACluster) {
-  const Structure copy = read_back(text_of(two_atoms()));
+  const Structure copy = read_back(xyz_text_of(two_atoms()));
   EXPECT_FALSE(copy.atoms.box.is_periodic());
   const Eigen::Vector3d upper = copy.atoms.box.origin + copy.atoms.box.cell.diagonal();
   for (const Eigen::Vector3d& position : copy.atoms.positions) {
@@ -101,7 +91,7 @@ TEST(WriteXyz, KeepsAPeriodicBox) {
   frame.atoms.box.cell << 4, 1, 0.5, 0, 5, 0.25, 0, 0, 6;
   frame.atoms.box.origin = {-1, -2, -3};
   frame.atoms.box.periodic = {true, false, true};
-  const Structure copy = read_back(text_of(frame));
+  const Structure copy = read_back(xyz_text_of(frame));
   EXPECT_EQ(copy.atoms.box.cell, frame.atoms.box.cell);
   EXPECT_EQ(copy.atoms.box.origin, frame.atoms.box.origin);
   EXPECT_EQ(copy.atoms.box.periodic, frame.atoms.box.periodic);
@@ -110,30 +100,30 @@ TEST(WriteXyz, KeepsAPeriodicBox) {
 TEST(WriteXyz, ThrowsOnACoordinateThatIsNotFinite) {
   Structure frame = two_atoms();
   frame.atoms.positions[1].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(text_of(frame), InvalidNetwork);
+  EXPECT_THROW(xyz_text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnAColumnOfTheWrongLength) {
   Structure frame = two_atoms();
   frame.columns[0].values = std::vector<double>{1.0};
-  EXPECT_THROW(text_of(frame), InvalidNetwork);
+  EXPECT_THROW(xyz_text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnMissingSpecies) {
   Structure frame = two_atoms();
   frame.atoms.species.pop_back();
-  EXPECT_THROW(text_of(frame), InvalidNetwork);
+  EXPECT_THROW(xyz_text_of(frame), InvalidNetwork);
 }
 
 TEST(WriteXyz, ThrowsOnNamesThatAreTakenOrHaveBlanks) {
   for (const std::string name : {"pos", "energies", "two words", "", "a:b", "a=b"}) {
     Structure frame = two_atoms();
     frame.columns.back().name = name;
-    EXPECT_THROW(text_of(frame), InvalidOption) << name;
+    EXPECT_THROW(xyz_text_of(frame), InvalidOption) << name;
   }
   Structure frame = two_atoms();
   frame.header.back().key = "Lattice";
-  EXPECT_THROW(text_of(frame), InvalidOption);
+  EXPECT_THROW(xyz_text_of(frame), InvalidOption);
 }
 
 TEST(WriteXyz, ThrowsWhereNoFileCanBe) {
@@ -157,7 +147,7 @@ TEST(AddEnergies, RemovesTheResultsOfFormerCalculations) {
 TEST(NetworkColumns, DescribeAShell) {
   const Structure network = build_dual(testing_support::icosahedron());
   const Structure frame = {.atoms = network.atoms, .columns = network_columns(network)};
-  const std::string text = text_of(frame);
+  const std::string text = xyz_text_of(frame);
   EXPECT_NE(text.find("coordination:I:1:rings:I:3"), std::string::npos);
   EXPECT_NE(text.find(" 3 5 5 5\n"), std::string::npos);
 }
@@ -177,7 +167,7 @@ TEST(ReadXyz, TakesALatticeWithoutPbcAsPeriodic) {
 }
 
 TEST(ReadXyz, NotesWhatItLeavesOut) {
-  const auto [frame, notes] = file_of(
+  const auto [frame, notes] = xyz_file_of(
       "1\nProperties=id:I:1:species:S:1:pos:R:3:label:S:1:stress:R:9 flag key={1 2}\n"
       "7 C 0 0 0 abc 1 2 3 4 5 6 7 8 9\n");
   EXPECT_EQ(notes.size(), 2u);
@@ -274,7 +264,7 @@ TEST(Xyz, KeepsArraysOfTheHeaderWhole) {
         read_back("1\nProperties=species:S:1:pos:R:3 key=" + array + " next=5\nC 0 0 0\n");
     ASSERT_EQ(frame.header.size(), 2u) << array;
     EXPECT_EQ(std::get<std::string>(frame.header[0].value), array);
-    EXPECT_NE(text_of(frame).find(" key=" + array + " next=5"), std::string::npos) << array;
+    EXPECT_NE(xyz_text_of(frame).find(" key=" + array + " next=5"), std::string::npos) << array;
   }
 }
 

@@ -36,7 +36,7 @@ TEST_P(Crystallize, MakesAlmostPerfectNetsOnClosedSurfaces) {
   const RemeshResult result = crystallize(surface, {.target_edge_length = target});
   const MeshQuality quality = measure_quality(result.mesh);
   EXPECT_TRUE(testing_support::is_closed(result.mesh));
-  EXPECT_EQ(quality.euler_characteristic, testing_support::euler_characteristic(surface));
+  EXPECT_EQ(quality.euler_characteristic, euler_characteristic(surface));
   EXPECT_EQ(quality.self_intersections, 0);
   EXPECT_NEAR(quality.edge_length.mean, target, 0.01 * target);
   EXPECT_LT(quality.edge_length.relative(), 0.045);
@@ -94,7 +94,7 @@ TEST(CrystallizeNet, BeginsCoarseThoughPartsAreThin) {
   EXPECT_TRUE(result.coarse_start);
   const MeshQuality quality = measure_quality(result.mesh);
   EXPECT_EQ(quality.self_intersections, 0);
-  EXPECT_EQ(quality.euler_characteristic, testing_support::euler_characteristic(elephant));
+  EXPECT_EQ(quality.euler_characteristic, euler_characteristic(elephant));
   EXPECT_GT(quality.regular_fraction, 0.94);
   EXPECT_LT(measure_distance(result.mesh, elephant).max(), 0.012);  // tips are reached
 }
@@ -176,7 +176,7 @@ TEST(CrystallizeNet, KeepsCreases) {
   const TriMesh net = crystallize(can, options).mesh;
   // With its rims kept, chords are all that parts the net from the tube.
   EXPECT_LT(measure_distance(net, can).max(), 0.12 / 10.0);
-  EXPECT_EQ(testing_support::euler_characteristic(net), testing_support::euler_characteristic(can));
+  EXPECT_EQ(euler_characteristic(net), euler_characteristic(can));
 }
 
 TEST(CrystallizeNet, KeepsCreasesThatInflatingBlunts) {

@@ -13,18 +13,8 @@ namespace {
 
 constexpr double right_angle = std::numbers::pi / 2.0;
 
-/// The unit cube, each side cut into two triangles.
-TriMesh cube() {
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
-  const std::vector<std::array<int, 3>> triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
-                                                     {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
-                                                     {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return make_mesh(points, triangles);
-}
-
 TEST(FeatureCurves, FindsTwelveCreasesAndEightCornersOfACube) {
-  const TriMesh mesh = cube();
+  const TriMesh mesh = testing_support::cube();
   const FeatureCurves features(mesh, find_creases(mesh, right_angle / 2.0));
   std::set<int> curves;
   for (const auto e : mesh.edges()) {
@@ -35,8 +25,10 @@ TEST(FeatureCurves, FindsTwelveCreasesAndEightCornersOfACube) {
 }
 
 TEST(FeatureCurves, HasNoCreasesUnlessAskedFor) {
-  EXPECT_TRUE(FeatureCurves(cube()).empty());
-  EXPECT_TRUE(FeatureCurves(cube(), find_creases(cube(), 1.1 * right_angle)).empty());
+  EXPECT_TRUE(FeatureCurves(testing_support::cube()).empty());
+  EXPECT_TRUE(FeatureCurves(testing_support::cube(),
+                            find_creases(testing_support::cube(), 1.1 * right_angle))
+                  .empty());
 }
 
 TEST(FeatureCurves, CutsTheBoundaryOfASheetAtItsCorners) {

@@ -12,13 +12,13 @@
 namespace trivalent::remesh {
 namespace {
 
-using Positions = std::vector<Lanes<double>>;
+using LanePositions = std::vector<Lanes<double>>;
 
 /// Points near each other, so that all terms act.
-Positions scattered(int count) {
+LanePositions scattered_lanes(int count) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
-  Positions positions;
+  LanePositions positions;
   for (int i = 0; i < count; ++i) {
     positions.emplace_back(coordinate(random), coordinate(random), coordinate(random), 0.0);
   }
@@ -27,15 +27,15 @@ Positions scattered(int count) {
 
 void expect_gradient_of_energy(const MembraneTerms<double>& terms) {
   const Membrane membrane;
-  const Positions x = scattered(6);
-  Positions gradient(x.size(), Lanes<double>::Zero());
+  const LanePositions x = scattered_lanes(6);
+  LanePositions gradient(x.size(), Lanes<double>::Zero());
   const double energy = membrane_energy(membrane, terms, x, gradient);
   EXPECT_GT(energy, 0.0);
   constexpr double step = 1e-5;
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      Positions ignored(x.size(), Lanes<double>::Zero());
-      Positions moved = x;
+      LanePositions ignored(x.size(), Lanes<double>::Zero());
+      LanePositions moved = x;
       moved[i][k] += step;
       const double above = membrane_energy(membrane, terms, moved, ignored);
       moved[i][k] -= 2.0 * step;
@@ -75,8 +75,9 @@ TEST(MembraneEnergy, GradientOfPullsMatches) {
 
 TEST(MembraneEnergy, VerticesApartDoNotRepel) {
   const Membrane membrane;
-  const Positions x = {{0.0, 0.0, 0.0, 0.0}, {1.01 * membrane.contact_distance(), 0.0, 0.0, 0.0}};
-  Positions gradient(2, Lanes<double>::Zero());
+  const LanePositions x = {{0.0, 0.0, 0.0, 0.0},
+                           {1.01 * membrane.contact_distance(), 0.0, 0.0, 0.0}};
+  LanePositions gradient(2, Lanes<double>::Zero());
   const MembraneTerms<double> terms = {.contacts = {{0, 1}}};
   EXPECT_EQ(membrane_energy(membrane, terms, x, gradient), 0.0);
 }
@@ -92,9 +93,9 @@ TEST(MembraneEnergy, BendingOfACylinderIsThatOfTheContinuum) {
     const double angle = row * height / radius;
     return Lanes<double>(radius * std::cos(angle), radius * std::sin(angle), along * length, 0.0);
   };
-  const Positions x = {at(0, 0),     at(0, 1),    at(1, 0.5), at(1, -0.5), at(0, -1),
-                       at(-1, -0.5), at(-1, 0.5), at(1, 1.5), at(2, 0),    at(1, -1.5)};
-  Positions gradient(x.size(), Lanes<double>::Zero());
+  const LanePositions x = {at(0, 0),     at(0, 1),    at(1, 0.5), at(1, -0.5), at(0, -1),
+                           at(-1, -0.5), at(-1, 0.5), at(1, 1.5), at(2, 0),    at(1, -1.5)};
+  LanePositions gradient(x.size(), Lanes<double>::Zero());
   MembraneTerms<double> terms;
   terms.hinges = {{0, 1, 2, 6}, {0, 2, 3, 1}, {0, 3, 4, 2}};  // the three edges of a vertex
   double stretching = 0.0;
@@ -145,7 +146,7 @@ TEST(MembraneNet, CountsCoresAndPairs) {
 TEST(MembraneEnergy, GradientByAnImageIsThatByItsVertex) {
   const Membrane membrane;
   const Lattice lattice(Eigen::Vector3d(7.0, 8.0, 9.0).asDiagonal(), {true, true, false});
-  Positions x = scattered(4);
+  LanePositions x = scattered_lanes(4);
   VertexImages images(x.size());
   const int beyond = images.number(1, {1, 0, 0});
   const int far = images.number(2, {1, -1, 0});
@@ -154,20 +155,20 @@ TEST(MembraneEnergy, GradientByAnImageIsThatByItsVertex) {
   EXPECT_EQ(images.vertex_of(far), 2);
   const MembraneTerms<double> terms = {.hinges = {{0, beyond, 2, 3}, {beyond, far, 0, 3}},
                                        .contacts = {{0, beyond}}};
-  const auto energy_at = [&](Positions at, Positions& gradient) {
+  const auto energy_at = [&](LanePositions at, LanePositions& gradient) {
     images.place(lattice, at);
     gradient.assign(at.size(), Lanes<double>::Zero());
     const double energy = membrane_energy(membrane, terms, at, gradient);
     images.collect(gradient);
     return energy;
   };
-  Positions gradient;
+  LanePositions gradient;
   const double energy = energy_at(x, gradient);
   constexpr double step = 1e-5;
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      Positions ignored;
-      Positions moved = x;
+      LanePositions ignored;
+      LanePositions moved = x;
       moved[i][k] += step;
       const double above = energy_at(moved, ignored);
       moved[i][k] -= 2.0 * step;
@@ -181,7 +182,7 @@ TEST(MembranePreconditioner, InvertsTheHessianOfAVertexWhoseSpringsAreAtRest) {
   const Membrane membrane;
   const double length = membrane.length;
   const double height = 0.5 * std::sqrt(3.0) * length;
-  Positions x = {{0.0, 0.0, 0.0, 0.0}};
+  LanePositions x = {{0.0, 0.0, 0.0, 0.0}};
   for (int k = 0; k < 6; ++k) {
     const double angle = k * std::acos(0.5);
     x.emplace_back(length * std::cos(angle), 0.6 * length * std::sin(angle),
@@ -197,9 +198,9 @@ TEST(MembranePreconditioner, InvertsTheHessianOfAVertexWhoseSpringsAreAtRest) {
   constexpr double step = 1e-4 * Membrane::fine_length;
   for (int k = 0; k < 3; ++k) {
     const auto gradient_at = [&](double moved) {
-      Positions there = x;
+      LanePositions there = x;
       there[0][k] += moved;
-      Positions gradient(x.size(), Lanes<double>::Zero());
+      LanePositions gradient(x.size(), Lanes<double>::Zero());
       static_cast<void>(membrane_energy(membrane, terms, there, gradient));
       return gradient[0];
     };

@@ -14,7 +14,6 @@
 namespace trivalent::remesh {
 namespace {
 
-using testing_support::euler_characteristic;
 using testing_support::icosahedron;
 using testing_support::is_closed;
 using testing_support::octahedron;
@@ -41,16 +40,6 @@ TriangleSoup torn_apart(const TriangleSoup& soup) {
     torn.triangles.push_back({first, first + 1, first + 2});
   }
   return torn;
-}
-
-/// Axis-aligned unit cube of 12 triangles.
-TriMesh cube() {
-  std::vector<Eigen::Vector3d> points;
-  for (int k = 0; k < 8; ++k) points.emplace_back(k & 1, k >> 1 & 1, k >> 2);
-  const std::vector<std::array<int, 3>> triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
-                                                     {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
-                                                     {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return make_mesh(points, triangles);
 }
 
 void expect_icosahedron(const RepairResult& result, const Notes& notes) {
@@ -103,8 +92,8 @@ TEST(Repair, DropsRepeatedAndDegenerateFaces) {
 TEST(Repair, SeparatesSolidsThatTouchInAnEdge) {
   // Two cubes along a common edge of four faces; each stays closed.
   TriangleSoup soup;
-  append(soup, cube(), {0, 0, 0});
-  append(soup, cube(), {1, 1, 0});
+  append(soup, testing_support::cube(), {0, 0, 0});
+  append(soup, testing_support::cube(), {1, 1, 0});
   const RepairResult result = repair(torn_apart(soup));
   const MeshQuality quality = measure_quality(result.mesh);
   EXPECT_EQ(quality.components, 2);
@@ -128,7 +117,7 @@ TEST(Repair, SeparatesSurfacesThatTouchInAPoint) {
 }
 
 TEST(Repair, CutsOffFins) {
-  TriangleSoup soup = soup_of(cube());
+  TriangleSoup soup = soup_of(testing_support::cube());
   soup.points.emplace_back(-1, -1, 0.5);
   // Attached to the cube's edge from 0 to 4.
   soup.triangles.push_back({0, 4, 8});

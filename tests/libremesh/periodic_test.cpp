@@ -18,23 +18,22 @@
 namespace trivalent::remesh {
 namespace {
 
-using testing_support::euler_characteristic;
 using testing_support::is_closed;
 
-struct Expected {
+struct ExpectedCell {
   std::string name;
   int euler_characteristic;
   double area;       // of a cell of edge 1
   double tolerance;  // relative
 };
 // Areas of the minimal surfaces P, D (2 x 2 x 2 cells), G; nodal ones differ a little.
-const std::vector<Expected> shapes = {{"schwarz-p", -4, 2.3451, 0.01},
-                                      {"schwarz-d", -16, 3.8377, 0.01},
-                                      {"gyroid", -8, 3.0915, 0.01},
-                                      {"i-wp", -12, 3.464, 0.02},
-                                      {"neovius", -16, 3.51, 0.02},
-                                      {"plane", 0, 1.0, 1e-12},
-                                      {"periodic-tube", 0, 4.0 * std::numbers::pi, 0.01}};
+const std::vector<ExpectedCell> shapes = {{"schwarz-p", -4, 2.3451, 0.01},
+                                          {"schwarz-d", -16, 3.8377, 0.01},
+                                          {"gyroid", -8, 3.0915, 0.01},
+                                          {"i-wp", -12, 3.464, 0.02},
+                                          {"neovius", -16, 3.51, 0.02},
+                                          {"plane", 0, 1.0, 1e-12},
+                                          {"periodic-tube", 0, 4.0 * std::numbers::pi, 0.01}};
 
 TEST(PeriodicShapes, HaveTheTopologyAndAreaOfTheirNames) {
   for (const auto& [name, euler, area, tolerance] : shapes) {

@@ -34,7 +34,7 @@ TEST_P(RemeshFactor, EqualizesATorusFinerAndCoarser) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
   const double target = GetParam() * mean_edge_length(torus);
   const RemeshResult result = remesh(torus, {.target_edge_length = target});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 0);
+  EXPECT_EQ(euler_characteristic(result.mesh), 0);
   EXPECT_TRUE(testing_support::is_closed(result.mesh));
   expect_equalized(result.mesh, target);
 }
@@ -44,7 +44,7 @@ TEST(Remesh, CoarsensEightTimes) {
   const TriMesh sphere = make_shape("sphere", {}, 0.025);
   const double target = 8.0 * mean_edge_length(sphere);
   const TriMesh coarse = remesh(sphere, {.target_edge_length = target}).mesh;
-  EXPECT_EQ(testing_support::euler_characteristic(coarse), 2);
+  EXPECT_EQ(euler_characteristic(coarse), 2);
   expect_equalized(coarse, target);
 }
 
@@ -78,7 +78,7 @@ TEST(Remesh, JoinsNeedlesBeforeItSplitsThem) {
       remesh(cylinder, {.target_edge_length = 0.5, .on_progress = [&](const RemeshProgress& state) {
                           max_vertices = std::max(max_vertices, state.vertices);
                         }});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 2);
+  EXPECT_EQ(euler_characteristic(result.mesh), 2);
   EXPECT_LT(max_vertices, 2 * static_cast<int>(result.mesh.n_vertices()));
   EXPECT_LT(result.relative_spread, 0.15);
 }
@@ -91,7 +91,7 @@ TEST(Remesh, DividesFansOfEdgesFarLongerThanTheTarget) {
       prism, {.target_edge_length = 1.0, .on_progress = [&](const RemeshProgress& state) {
                 max_vertices = std::max(max_vertices, static_cast<std::size_t>(state.vertices));
               }});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 2);
+  EXPECT_EQ(euler_characteristic(result.mesh), 2);
   EXPECT_LT(max_vertices, 3 * result.mesh.n_vertices());
   EXPECT_LT(result.relative_spread, 0.15);
 }
@@ -110,7 +110,7 @@ TEST(Remesh, KeepsEveryVertexOnTheOriginal) {
 TEST(Remesh, KeepsGenusTwo) {
   const TriMesh original = make_shape("double-torus", {}, 0.1);
   const RemeshResult result = remesh(original, {.target_edge_length = 0.12});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), -2);
+  EXPECT_EQ(euler_characteristic(result.mesh), -2);
   EXPECT_TRUE(testing_support::is_closed(result.mesh));
 }
 
@@ -118,14 +118,14 @@ TEST(Remesh, LeastSquaresDoesAsWellAsHard) {
   const TriMesh sphere = make_shape("sphere", {}, 0.2);
   const RemeshResult result =
       remesh(sphere, {.target_edge_length = 0.1, .restriction = Restriction::least_squares});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 2);
+  EXPECT_EQ(euler_characteristic(result.mesh), 2);
   expect_equalized(result.mesh, 0.1);
 }
 
 TEST(Remesh, KeepsAnOpenBoundaryInItsPlace) {
   const TriMesh sheet = make_shape("wavy-sheet", {}, 0.3);
   const RemeshResult result = remesh(sheet, {.target_edge_length = 0.2});
-  EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 1);
+  EXPECT_EQ(euler_characteristic(result.mesh), 1);
   EXPECT_EQ(measure_quality(result.mesh).boundary_loops, 1);
   EXPECT_EQ(bounding_box(result.mesh).low.head<2>(), bounding_box(sheet).low.head<2>());
   EXPECT_EQ(bounding_box(result.mesh).high.head<2>(), bounding_box(sheet).high.head<2>());
@@ -160,7 +160,7 @@ TEST(Remesh, EndsHoweverNarrowTheTolerance) {
   for (const double tolerance : {1e-6, 0.1, 0.999}) {
     const RemeshResult result = remesh(
         torus, {.target_edge_length = 0.2, .iterations = 3, .rings = 1, .tolerance = tolerance});
-    EXPECT_EQ(testing_support::euler_characteristic(result.mesh), 0);
+    EXPECT_EQ(euler_characteristic(result.mesh), 0);
   }
 }
 

@@ -15,7 +15,6 @@ namespace trivalent::remesh {
 namespace {
 
 using std::numbers::pi;
-using testing_support::euler_characteristic;
 using testing_support::is_closed;
 using testing_support::signed_volume;
 

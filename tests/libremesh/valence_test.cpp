@@ -45,7 +45,7 @@ TEST(CorrectValences, NeverMakesValencesWorseAndKeepsTheTopology) {
   EXPECT_GT(correct_valences(constrained), 0);
   EXPECT_LT(total_irregularity(mesh), before);
   EXPECT_EQ(mesh.n_vertices(), vertices);
-  EXPECT_EQ(testing_support::euler_characteristic(mesh), -2);
+  EXPECT_EQ(euler_characteristic(mesh), -2);
 }
 
 TEST(CorrectValences, FlipsNoCrease) {

@@ -17,7 +17,7 @@ using testing_support::graphene;
 using testing_support::periodic;
 using testing_support::random_hydrocarbon;
 
-std::vector<Atoms> disordered_structures() {
+std::vector<Atoms> small_disordered_structures() {
   Atoms sheet = graphene(2, 1, 1.5);
   displace(sheet, 0.1, 1);
   return {sheet, testing_support::bent_ethane(), random_hydrocarbon(30, cube(6.5), 1.0, 2),
@@ -51,7 +51,7 @@ TEST(Airebo, AttractsLayersThatNoBondConnects) {
 }
 
 TEST(Airebo, ForcesAreMinusTheGradientOfTheEnergy) {
-  for (const Atoms& atoms : disordered_structures()) {
+  for (const Atoms& atoms : small_disordered_structures()) {
     for (const AireboOptions options :
          {AireboOptions{true, false}, AireboOptions{false, true}, AireboOptions{true, true}}) {
       testing_support::expect_forces_match_energy(
@@ -61,14 +61,14 @@ TEST(Airebo, ForcesAreMinusTheGradientOfTheEnergy) {
 }
 
 TEST(Airebo, VirialIsMinusTheStrainDerivativeOfTheEnergy) {
-  for (const Atoms& atoms : disordered_structures()) {
+  for (const Atoms& atoms : small_disordered_structures()) {
     testing_support::expect_virial_matches_energy(
         atoms, [](const Atoms& strained) { return airebo(strained); }, 1e-5);
   }
 }
 
 TEST(Airebo, ForcesAndEnergiesAddUp) {
-  for (const Atoms& atoms : disordered_structures()) {
+  for (const Atoms& atoms : small_disordered_structures()) {
     testing_support::expect_no_net_force(airebo(atoms));
     testing_support::expect_energies_add_up(airebo(atoms));
   }
@@ -81,7 +81,7 @@ TEST(Airebo, ThrowsOnCoincidentAtoms) {
 }
 
 TEST(Airebo, KeepsNeighborsOfAtomsThatMove) {
-  for (Atoms atoms : disordered_structures()) {
+  for (Atoms atoms : small_disordered_structures()) {
     Airebo kept;
     static_cast<void>(kept.evaluate(atoms));
     // Small steps first, then one beyond every skin, then another box.

@@ -17,6 +17,16 @@ inline trivalent::remesh::TriMesh tetrahedron() {
   return trivalent::remesh::make_mesh(points, triangles);
 }
 
+/// Cube of edge 1 with a corner at the origin; each side has two faces.
+inline trivalent::remesh::TriMesh cube() {
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  const std::vector<std::array<int, 3>> triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                                     {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                     {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return trivalent::remesh::make_mesh(points, triangles);
+}
+
 /// Regular octahedron with corners at distance 1 from the origin: edge √2.
 inline trivalent::remesh::TriMesh octahedron() {
   const std::vector<Eigen::Vector3d> points = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
@@ -56,12 +66,6 @@ inline trivalent::remesh::TriMesh triangular_sheet(int columns, int rows) {
     }
   }
   return trivalent::remesh::make_mesh(points, triangles);
-}
-
-/// V - E + F.
-inline int euler_characteristic(const trivalent::remesh::TriMesh& mesh) {
-  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
-         static_cast<int>(mesh.n_faces());
 }
 
 inline bool is_closed(const trivalent::remesh::TriMesh& mesh) {

@@ -22,8 +22,6 @@ constexpr std::size_t first_coordinate = 20;  // column, behind residue, names a
 constexpr std::array<std::array<int, 2>, 9> box_order = {
     {{0, 0}, {1, 1}, {2, 2}, {1, 0}, {2, 0}, {0, 1}, {2, 1}, {0, 2}, {1, 2}}};
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string::npos; }
-
 class GroReader {
  public:
   GroReader(std::string_view text, const TextSource& source) : lines_(text, source) {}

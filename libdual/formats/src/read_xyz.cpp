@@ -15,8 +15,6 @@ namespace {
 
 using potentials::Species;
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string::npos; }
-
 /// Symbols, atomic numbers, or LAMMPS's types, whose elements the options name.
 class ElementReader {
  public:

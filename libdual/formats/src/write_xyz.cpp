@@ -55,7 +55,7 @@ void check_structure(const Structure& structure) {
   }
 }
 
-void append_vector(std::string& line, const Eigen::Vector3d& vector, Digits digits) {
+void append_row(std::string& line, const Eigen::Vector3d& vector, Digits digits) {
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) line += ' ';
     append_real(line, vector[axis], digits);
@@ -93,10 +93,10 @@ void append_box(std::string& line, const potentials::Box& box) {
   line += "Lattice=\"";
   for (int i = 0; i < 3; ++i) {
     if (i > 0) line += ' ';
-    append_vector(line, box.cell.col(i), Digits::seventeen_significant);
+    append_row(line, box.cell.col(i), Digits::seventeen_significant);
   }
   line += "\" Origin=\"";
-  append_vector(line, box.origin, Digits::seventeen_significant);
+  append_row(line, box.origin, Digits::seventeen_significant);
   line += '"';
 }
 
@@ -135,7 +135,7 @@ void append_value(std::string& line, double value, Digits digits) {
 }
 void append_value(std::string& line, int value, Digits) { append_integer(line, value); }
 void append_value(std::string& line, const Eigen::Vector3d& value, Digits digits) {
-  append_vector(line, value, digits);
+  append_row(line, value, digits);
 }
 void append_value(std::string& line, const std::array<int, 3>& value, Digits) {
   for (int i = 0; i < 3; ++i) {
@@ -159,7 +159,7 @@ void write_rows(std::ostream& out, const Structure& structure, const BondColumns
     line.clear();
     line += symbol_of(structure.atoms.species[i]);
     line += ' ';
-    append_vector(line, structure.atoms.positions[i], digits);
+    append_row(line, structure.atoms.positions[i], digits);
     for (const Column& column : structure.columns) {
       line += ' ';
       std::visit([&](const auto& values) { append_value(line, values[i], digits); }, column.values);

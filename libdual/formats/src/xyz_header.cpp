@@ -11,7 +11,7 @@
 namespace trivalent::dual {
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view spaces_and_tabs = " \t";
 constexpr std::array<std::string_view, 4> structural_keys = {"lattice", "origin", "properties",
                                                              "pbc"};
 
@@ -37,7 +37,7 @@ std::size_t distance_between(std::string_view a, std::string_view b) {
 bool is_key_end(char c) { return c == ' ' || c == '\t' || c == '"'; }
 
 void skip_blanks(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+  rest.remove_prefix(std::min(rest.find_first_not_of(spaces_and_tabs), rest.size()));
 }
 
 /// Takes the characters up to the closing mark off the line, with backslash escapes undone.
@@ -77,7 +77,7 @@ std::string take_value(std::string_view& rest, const LineReader& lines) {
   const char first = rest.empty() ? ' ' : rest.front();
   if (first == '"' || first == '\'') return take_quoted(rest, lines);
   if (first == '[' || first == '{') return take_array(rest, lines);
-  const std::size_t end = std::min(rest.find_first_of(blanks), rest.size());
+  const std::size_t end = std::min(rest.find_first_of(spaces_and_tabs), rest.size());
   std::string value(rest.substr(0, end));
   rest.remove_prefix(end);
   return value;
@@ -167,7 +167,7 @@ XyzHeader::XyzHeader(std::string_view line, const LineReader& lines) {
     skip_blanks(rest);
     if (rest.empty()) break;
     add(take_entry(rest, lines), lines);
-    if (!rest.empty() && blanks.find(rest.front()) == std::string_view::npos) {
+    if (!rest.empty() && spaces_and_tabs.find(rest.front()) == std::string_view::npos) {
       lines.fail("expected a blank before ", in_quotes(rest));
     }
   }
@@ -191,7 +191,8 @@ XyzHeader::TextEntry XyzHeader::take_entry(std::string_view& rest, const LineRea
   skip_blanks(after);
   if (!after.starts_with('=')) return entry;
   after.remove_prefix(1);
-  const bool has_blank = !after.empty() && blanks.find(after.front()) != std::string_view::npos;
+  const bool has_blank =
+      !after.empty() && spaces_and_tabs.find(after.front()) != std::string_view::npos;
   skip_blanks(after);
   rest = after;
   const bool is_bare = !rest.empty() && std::string_view("\"'[{").find(rest.front()) > 3;

@@ -28,11 +28,6 @@ constexpr double inward_factor = 0.95;
 
 double sign_of(WallSide side) { return side == WallSide::outwards ? 1.0 : -1.0; }
 
-int euler_characteristic(const TriMesh& mesh) {
-  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
-         static_cast<int>(mesh.n_faces());
-}
-
 /// Components of a surface that are large enough for cages, and how many are not.
 struct Kept {
   TriMesh mesh;

@@ -23,14 +23,10 @@ constexpr double largest_sound_angle = 155.0;  // [degree]
 constexpr double closest_sound_pair = 2.0;  // [Å]
 
 constexpr int n_worst = 5;
-constexpr std::size_t max_ids = 10;
 
 std::string ids_text(const std::vector<int>& atoms) {
-  std::string text;
-  for (std::size_t k = 0; k < std::min(max_ids, atoms.size()); ++k) {
-    text += (k > 0 ? ", " : "") + std::to_string(atoms[k] + 1);
-  }
-  return text + (atoms.size() > max_ids ? ", ..." : "");
+  constexpr std::size_t max_atoms = 10;
+  return first_of(atoms, max_atoms, [](int atom) { return std::to_string(atom + 1); });
 }
 
 /// Atoms whose number of bonds nothing explains.

@@ -14,9 +14,7 @@ constexpr double bending_rigidity = 1.4;  // [eV] of graphene under REBO
 constexpr double energy_of_pair = 3.0;    // [eV] of a 5-7 pair at rest
 
 bool is_like_a_sphere(const remesh::TriMesh& net) {
-  const auto euler = static_cast<std::ptrdiff_t>(net.n_vertices() + net.n_faces()) -
-                     static_cast<std::ptrdiff_t>(net.n_edges());
-  return euler == 2 && 3 * net.n_faces() == 2 * net.n_edges();
+  return remesh::euler_characteristic(net) == 2 && 3 * net.n_faces() == 2 * net.n_edges();
 }
 
 }  // namespace

@@ -41,8 +41,6 @@ void add_walls(const EvaluateOptions& options, Evaluation& result) {
   result.state.maps.push_back(dual::wall_energy_map(result.wall_energies));
 }
 
-Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 }  // namespace
 
 Evaluation evaluate(dual::Structure structure, const EvaluateOptions& options) {

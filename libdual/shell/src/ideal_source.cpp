@@ -12,8 +12,10 @@ namespace {
 
 using remesh::ShapeParameter;
 
-const ShapeParameter periodic = {"periodic", 1, "1: goes on in the next cell; 0: bare edges"};
-const ShapeParameter hydrogen = {"hydrogen", 0, "1: edges capped with hydrogen, not periodic"};
+const ShapeParameter periodic_parameter = {"periodic", 1,
+                                           "1: goes on in the next cell; 0: bare edges"};
+const ShapeParameter hydrogen_parameter = {"hydrogen", 0,
+                                           "1: edges capped with hydrogen, not periodic"};
 
 /// The values of a call, checked against what its structure knows.
 class Values {
@@ -100,14 +102,14 @@ const std::vector<remesh::ShapeDescription>& ideal_structures() {
         {"cells", 1, "translational cells along the tube"},
         {"caps", 0, "ends closed by six pentagons each: 0, 1 or 2"},
         {"length", 0, "straight part of a tube with caps, in Å"},
-        periodic,
-        hydrogen}},
+        periodic_parameter,
+        hydrogen_parameter}},
       {"graphene",
        "sheet in the xy plane",
        {{"nx", 10, "cells of 2.46 Å along a zigzag row"},
         {"ny", 6, "cells of 4.26 Å across"},
-        periodic,
-        hydrogen}},
+        periodic_parameter,
+        hydrogen_parameter}},
       {"fullerene",
        "icosahedral cage",
        {{"N", 60, "atoms: 20 (h² + hk + k²) for whole h and k, as 20, 60, 80, 140, 180, 240"}}},

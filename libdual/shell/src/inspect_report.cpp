@@ -9,8 +9,6 @@
 namespace trivalent::shell {
 namespace {
 
-Json vector_json(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
 std::string vector_text(const Eigen::Vector3d& p) {
   return "(" + significant(p.x()) + ", " + significant(p.y()) + ", " + significant(p.z()) + ")";
 }

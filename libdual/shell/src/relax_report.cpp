@@ -18,13 +18,10 @@ Json ids_json(const std::vector<potentials::Bond>& bonds) {
 }
 
 std::string ids_text(const std::vector<potentials::Bond>& bonds) {
-  constexpr std::size_t max_ids = 5;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(max_ids, bonds.size()); ++k) {
-    text += (k > 0 ? ", " : "") + std::to_string(bonds[k].first + 1) + '-' +
-            std::to_string(bonds[k].second + 1);
-  }
-  return text + (bonds.size() > max_ids ? ", ..." : "");
+  constexpr std::size_t max_bonds = 5;
+  return first_of(bonds, max_bonds, [](const potentials::Bond& bond) {
+    return std::to_string(bond.first + 1) + '-' + std::to_string(bond.second + 1);
+  });
 }
 
 std::string_view name_of(potentials::RelaxEnd end) {

@@ -73,11 +73,6 @@ remesh::TriMesh make_fine_shape(const ShapeCall& call, const dual::ShellOptions&
   return remesh::repeated(remesh::make_shape(call.name, call.arguments, edge_length), supercell);
 }
 
-int euler_characteristic(const remesh::TriMesh& mesh) {
-  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
-         static_cast<int>(mesh.n_faces());
-}
-
 /// A surface that triangles of any length can be asked for.
 struct Triangulated {
   std::function<remesh::TriMesh(double edge_length)> with;
@@ -98,8 +93,8 @@ Surface resolved(const Triangulated& source, const dual::ShellOptions& options,
   for (int i = 0; i < max_refinements; ++i) {
     edge_length *= finer;
     remesh::TriMesh fine = source.with(edge_length);
-    const int before = euler_characteristic(surface.mesh);
-    const int after = euler_characteristic(fine);
+    const int before = remesh::euler_characteristic(surface.mesh);
+    const int after = remesh::euler_characteristic(fine);
     if (before == after) break;
     surface.mesh = std::move(fine);
     if (i + 1 < max_refinements) continue;

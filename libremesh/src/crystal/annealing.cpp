@@ -18,8 +18,8 @@ namespace trivalent::remesh {
 
 namespace {
 
-constexpr int patch_rings = 3;  // that move; a fourth one is fixed
-constexpr int sweeps = 8;       // over a patch before moves are tried
+constexpr int patch_rings = 3;          // that move; a fourth one is fixed
+constexpr int sweeps_before_moves = 8;  // over a patch before moves are tried
 /// A move is relaxed a few sweeps at a time, and given up once its energy is so much too high that
 /// further sweeps would hardly ever bring it down. Tighter bounds lose the moves that need many
 /// sweeps, and end in worse nets.
@@ -31,17 +31,17 @@ struct Trial {
 constexpr std::array<Trial, 4> trials = {
     {{3, 2, 0.1}, {2, patch_rings, 0.03}, {2, patch_rings, 0.01}, {2, patch_rings, 0.0}}};
 /// Moves that raise Σ (valence - 6)² by more would make more than one new pair of defects at once.
-constexpr int max_new_disorder = 2;
+constexpr int max_disorder_of_move = 2;
 /// λ of the energy λ x² for x vertices more than wanted, and how steeply it may rise: a net that is
 /// far off must not be torn.
 constexpr double count_stiffness = 0.01;
 constexpr double max_count_slope = 0.1;
-constexpr double min_gain = 1e-4;          // at temperature 0, so that rounding errors move nothing
-constexpr int rounds_per_relaxation = 10;  // 20 leave edges of a third of the length in thin parts
+constexpr double min_spring_gain = 1e-4;  // at temperature 0, so that rounding errors move nothing
+constexpr int rounds_per_sweeps = 10;     // 20 leave edges of a third of the length in thin parts
 constexpr int sweeps_per_relaxation = 4;
 
 /// A move that was chosen: the patch after it, and where its vertices sit on the surface.
-struct Decision {
+struct SpringDecision {
   std::optional<NetPatch> patch;
   std::vector<Eigen::Vector3d> positions;
   std::vector<Anchor> anchors;
@@ -68,15 +68,15 @@ class Annealing {
       const std::vector<VertexHandle> sites = disjoint_sites(
           mesh_, deviations_,
           {.rings = patch_rings, .min_deviation = options_.min_deviation, .seed = seed_});
-      std::vector<Decision> decisions(sites.size());
+      std::vector<SpringDecision> decisions(sites.size());
       tbb::parallel_for(std::size_t{0}, sites.size(),
                         [&](std::size_t i) { decisions[i] = decide(sites[i]); });
-      for (const Decision& decision : decisions) {
+      for (const SpringDecision& decision : decisions) {
         if (!decision.patch || rise_of_count(decision.added) > decision.spare) continue;
         apply(decision);
         ++moves;
       }
-      if ((round + 1) % rounds_per_relaxation == 0) {
+      if ((round + 1) % rounds_per_sweeps == 0) {
         relax_springs(constrained_, length_, sweeps_per_relaxation);
         look_again();
       }
@@ -108,14 +108,14 @@ class Annealing {
   }
 
   /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
-  [[nodiscard]] Decision decide(VertexHandle center) {
-    Decision decision;
+  [[nodiscard]] SpringDecision decide(VertexHandle center) {
+    SpringDecision decision;
     NetPatch start(constrained_, frames_, center, patch_rings, marks_.local());
     if (!start.is_whole()) return decision;
     const int disorder = start.topology().disorder();
     // Thin parts have some already.
     const int max_steep = start.steep_corners() + options_.max_new_steep;
-    start.relax(length_, sweeps);
+    start.relax(length_, sweeps_before_moves);
     const double energy = energy_of(start);
     std::uint64_t random = hashed(seed_, ~static_cast<std::uint64_t>(center.idx()));
     NetPatch patch = start;
@@ -123,10 +123,10 @@ class Annealing {
       random = hashed(random, 1);
       const int added = move.added_vertices();
       const double limit =
-          energy + largest_rise(temperature_, random, min_gain) - rise_of_count(added);
+          energy + largest_rise(temperature_, random, min_spring_gain) - rise_of_count(added);
       patch = start;
       if (!make_move(patch, patch.topology(), move) ||
-          patch.topology().disorder() > disorder + max_new_disorder)
+          patch.topology().disorder() > disorder + max_disorder_of_move)
         continue;
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
         patch.relax(length_, trial.sweeps, start.topology().count_within(trial.rings));
@@ -144,7 +144,7 @@ class Annealing {
   }
 
   /// Puts the patch onto the surface.
-  void project(Decision& decision) const {
+  void project(SpringDecision& decision) const {
     NetPatch& patch = *decision.patch;
     const Anchor center = constrained_.anchor(patch.topology().vertex(0));
     for (int i = 0; i < patch.topology().inner_count(); ++i) {
@@ -164,7 +164,7 @@ class Annealing {
     }
   }
 
-  void apply(const Decision& decision) {
+  void apply(const SpringDecision& decision) {
     const NetPatch& patch = *decision.patch;
     const std::vector<VertexHandle> vertices = change_connectivity(constrained_, patch.topology());
     excess_ += decision.added;

@@ -25,7 +25,7 @@ namespace {
 /// Parts thinner than this [edges] are inflated for the first net.
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
-constexpr double sheet_reach = 1.5;
+constexpr double free_sheet_reach = 1.5;
 
 constexpr int opening_steps = 100;
 constexpr int closing_steps = 400;
@@ -256,7 +256,7 @@ class MembraneSearch {
 
   /// @return  Energy of the membrane, cores and the count term included [eV].
   double anneal(Net& start, const Membrane& membrane, const Annealing& annealing) {
-    start.on_surface.stay_on_sheets(sheet_reach * membrane.length);
+    start.on_surface.stay_on_sheets(free_sheet_reach * membrane.length);
     MembraneNet net(start.on_surface, surface_, membrane);
     if (watch_.stopped()) {
       net.relax(hasty_steps);

@@ -8,6 +8,7 @@
 #include "crystal/annealing.h"
 #include "crystal/inflation.h"
 #include "crystal/spring_relaxation.h"
+#include "crystal/starting_net.h"
 #include "crystal/thin_parts.h"
 #include "equalize/sliding.h"
 #include "mesh/geometry.h"
@@ -47,8 +48,6 @@ constexpr int settling_sweeps = 20;  // once faces lie half inside and half outs
 constexpr int opening_sweeps = 60;   // before they move
 constexpr int mending_sweeps = 20;   // before what they cannot mend is found
 
-/// Of the length: how far a vertex may walk on its sheet.
-constexpr double sheet_reach = 0.1;
 /// Parts thinner than this [target lengths] are inflated for a coarse net.
 constexpr double thinnest_for_coarse = 3.0;
 /// The same if there is none: nets on limbs thicker than needed cross themselves at their own size.

@@ -18,10 +18,7 @@ namespace {
 /// Iterations of the paper's loop that make the net to start from.
 constexpr int first_iterations = 20;
 constexpr int quick_first_iterations = 14;  // after 8, folds of some coarse nets are left
-constexpr int opening_sweeps = 60;          // of the springs
-
-/// A vertex may walk this part of the length on its sheet.
-constexpr double sheet_reach = 0.1;
+constexpr int first_sweeps = 60;            // of the springs
 
 /// A coarse net must have room for patches, or there is nothing to gain.
 constexpr int min_coarse_vertices = 150;
@@ -68,11 +65,6 @@ std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net) {
   return distances_to_surface(points, net);
 }
 
-int euler_characteristic(const TriMesh& mesh) {
-  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
-         static_cast<int>(mesh.n_faces());
-}
-
 int vertices_for_faces(const TriMesh& net, double faces) {
   // E = (3F + B)/2 for B boundary edges, so that V = χ + F/2 + B/2.
   const auto boundary =
@@ -99,7 +91,7 @@ std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& 
   std::unique_ptr<Net> net = starting_net(surface, creases, options);
   if (!net) return nullptr;
   unfold(net->on_surface);
-  relax_springs(net->on_surface, length, opening_sweeps);
+  relax_springs(net->on_surface, length, first_sweeps);
   return is_sound(*net, surface, length) ? std::move(net) : nullptr;
 }
 

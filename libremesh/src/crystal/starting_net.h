@@ -15,8 +15,6 @@ struct Net {
   Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
 };
 
-[[nodiscard]] int euler_characteristic(const TriMesh& mesh);
-
 /// Vertices that a net would have with so many faces, and the topology and boundary that it has.
 [[nodiscard]] int vertices_for_faces(const TriMesh& net, double faces);
 
@@ -47,6 +45,9 @@ struct StartingNetOptions {
 
 /// Distance of every vertex of a surface to a net.
 [[nodiscard]] std::vector<double> distances_from(const TriMesh& surface, const TriMesh& net);
+
+/// Of the length: how far a vertex of a net of springs may walk on its sheet.
+inline constexpr double sheet_reach = 0.1;
 
 /// At most this part of the faces of a net may be flawed.
 inline constexpr double max_flawed_fraction = 0.003;

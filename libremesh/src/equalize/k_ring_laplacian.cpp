@@ -116,14 +116,14 @@ class RingWalk {
   std::vector<int> vertices_;  // of found_, in the order they were reached
 };
 
-/// Rows of the matrix for a run of vertices; its values follow from the hops.
-struct Rows {
+/// MatrixRows of the matrix for a run of vertices; its values follow from the hops.
+struct MatrixRows {
   std::vector<int> sizes;  // entries per row
   std::vector<int> columns;
   std::vector<std::uint8_t> hops;
 };
 
-void append_row(const std::vector<Hop>& found, Rows& rows) {
+void append_row(const std::vector<Hop>& found, MatrixRows& rows) {
   for (const Hop& hop : found) {
     rows.columns.push_back(hop.vertex);
     rows.hops.push_back(static_cast<std::uint8_t>(hop.hops));
@@ -149,10 +149,10 @@ double folding_of(const std::vector<Hop>& found, const std::vector<Eigen::Vector
 }
 
 /// Strings the runs together.
-SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
+SparseMatrix assemble(const std::vector<MatrixRows>& runs, Eigen::Index n) {
   SparseMatrix matrix(n, n);
   int* begin = matrix.outerIndexPtr();
-  for (const Rows& run : runs) {
+  for (const MatrixRows& run : runs) {
     for (const int size : run.sizes) {
       begin[1] = begin[0] + size;
       ++begin;
@@ -161,7 +161,7 @@ SparseMatrix assemble(const std::vector<Rows>& runs, Eigen::Index n) {
   matrix.resizeNonZeros(*begin);
   int* column = matrix.innerIndexPtr();
   double* value = matrix.valuePtr();
-  for (const Rows& run : runs) {
+  for (const MatrixRows& run : runs) {
     column = std::ranges::copy(run.columns, column).out;
     value = std::ranges::transform(run.hops, value, [](int hops) { return -weight_of(hops); }).out;
   }
@@ -184,7 +184,7 @@ KRingSystem k_ring_system(const TriMesh& mesh, const std::vector<Eigen::Vector3d
   constexpr std::size_t run_length = 4096;
   const OneRings one_rings = one_rings_of(mesh, normals);
   const std::size_t n = mesh.n_vertices();
-  std::vector<Rows> runs((n + run_length - 1) / run_length);
+  std::vector<MatrixRows> runs((n + run_length - 1) / run_length);
   KRingSystem system;
   system.gradient.resize(static_cast<Eigen::Index>(n), 3);
   system.folding.resize(static_cast<Eigen::Index>(n));

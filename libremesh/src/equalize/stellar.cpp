@@ -22,8 +22,6 @@ struct Candidate {
   double deviation = 0.0;  ///< | |a| - m_i |
 };
 
-int squared(int deviation) { return deviation * deviation; }
-
 /// Valence deviations of v1 to v4 around an edge.
 using Deviations = std::array<int, 4>;
 

@@ -13,8 +13,6 @@ constexpr int passes = 2;
 /// flips back and forth for a rounding error.
 constexpr double shorter = 0.99;
 
-int squared(int deviation) { return deviation * deviation; }
-
 /// Flipping takes an edge from both ends and gives one to both opposite vertices.
 bool flip_improves(const TriMesh& mesh, const EdgeNeighborhood& around,
                    const std::vector<int>& deviations) {

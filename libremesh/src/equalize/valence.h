@@ -11,6 +11,8 @@ namespace trivalent::remesh {
 /// for every edge costs more than all the rest of the sweep.
 [[nodiscard]] std::vector<int> valence_deviations(const TriMesh& mesh);
 
+[[nodiscard]] inline int squared(int deviation) { return deviation * deviation; }
+
 /// The four vertices around an edge, named as in [Pecanha2013, Figure 1]: the edge runs from v1 to
 /// v3, v2 and v4 are opposite to it. The edge must not be on a boundary.
 struct EdgeNeighborhood {

@@ -1,9 +1,27 @@
 #include "io/binary_numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <ostream>
 
 namespace trivalent::remesh {
+
+std::optional<NumberFormat> find_format(std::span<const NamedFormat> formats,
+                                        std::string_view name) {
+  const auto found = std::ranges::find(formats, name, &NamedFormat::name);
+  if (found == formats.end()) return std::nullopt;
+  return found->format;
+}
+
+std::optional<NumberFormat> sized_format(std::string_view name) {
+  constexpr std::array formats = {NamedFormat{"int8", int8},       NamedFormat{"uint8", uint8},
+                                  NamedFormat{"int16", int16},     NamedFormat{"uint16", uint16},
+                                  NamedFormat{"int32", int32},     NamedFormat{"uint32", uint32},
+                                  NamedFormat{"int64", int64},     NamedFormat{"uint64", uint64},
+                                  NamedFormat{"float32", float32}, NamedFormat{"float64", float64}};
+  return find_format(formats, name);
+}
 
 std::uint64_t bits_of(std::string_view bytes, ByteOrder order) {
   std::uint64_t bits = 0;

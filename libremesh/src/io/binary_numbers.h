@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <string_view>
 
 namespace trivalent::remesh {
@@ -31,6 +33,13 @@ struct NamedFormat {
   std::string_view name;
   NumberFormat format;
 };
+
+/// The format of that name, if it is among them.
+[[nodiscard]] std::optional<NumberFormat> find_format(std::span<const NamedFormat> formats,
+                                                      std::string_view name);
+
+/// The format of a name that gives its size: int8 to int64, uint8 to uint64, float32, float64.
+[[nodiscard]] std::optional<NumberFormat> sized_format(std::string_view name);
 
 /// The bits of up to 8 bytes.
 [[nodiscard]] std::uint64_t bits_of(std::string_view bytes, ByteOrder order);

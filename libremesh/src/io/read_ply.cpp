@@ -16,13 +16,11 @@ namespace {
 
 enum class Encoding { text, little_endian, big_endian };
 
-constexpr std::array number_formats = {
-    NamedFormat{"char", int8},      NamedFormat{"int8", int8},       NamedFormat{"uchar", uint8},
-    NamedFormat{"uint8", uint8},    NamedFormat{"short", int16},     NamedFormat{"int16", int16},
-    NamedFormat{"ushort", uint16},  NamedFormat{"uint16", uint16},   NamedFormat{"int", int32},
-    NamedFormat{"int32", int32},    NamedFormat{"uint", uint32},     NamedFormat{"uint32", uint32},
-    NamedFormat{"float", float32},  NamedFormat{"float32", float32}, NamedFormat{"double", float64},
-    NamedFormat{"float64", float64}};
+/// Of C; names with a size mean the same.
+constexpr std::array ply_formats = {NamedFormat{"char", int8},     NamedFormat{"uchar", uint8},
+                                    NamedFormat{"short", int16},   NamedFormat{"ushort", uint16},
+                                    NamedFormat{"int", int32},     NamedFormat{"uint", uint32},
+                                    NamedFormat{"float", float32}, NamedFormat{"double", float64}};
 
 struct Property {
   std::string name;
@@ -42,9 +40,8 @@ struct Header {
 };
 
 NumberFormat number_named(std::string_view name, const TextScanner& scanner) {
-  for (const NamedFormat& known : number_formats) {
-    if (known.name == name) return known.format;
-  }
+  if (const auto format = find_format(ply_formats, name)) return *format;
+  if (const auto format = sized_format(name)) return *format;
   scanner.fail(concat(in_quotes(name), " is no type of PLY numbers"));
 }
 

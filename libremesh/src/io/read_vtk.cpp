@@ -13,7 +13,7 @@ namespace trivalent::remesh {
 namespace {
 
 /// "The VTK File Formats"; vtkIdType is written as int, long is what Linux makes of it.
-constexpr std::array number_formats = {
+constexpr std::array vtk_formats = {
     NamedFormat{"char", int8},
     NamedFormat{"signed_char", int8},
     NamedFormat{"unsigned_char", uint8},
@@ -102,11 +102,11 @@ class LegacyVtkReader {
   /// Numbers that begin on the line after this one.
   std::vector<double> values(std::string_view type_name, std::uint64_t n) {
     const std::string name = lower_case(std::string(type_name.substr(0, 32)));
-    const auto* known = std::ranges::find(number_formats, name, &NamedFormat::name);
-    if (known == number_formats.end()) {
+    const auto known = find_format(vtk_formats, name);
+    if (!known) {
       scanner_.fail(concat(in_quotes(type_name), " is no type of VTK numbers"));
     }
-    const NumberFormat format = known->format;
+    const NumberFormat format = *known;
     const std::size_t bytes_each = is_binary_ ? format.size : 2;
     check_declared(source_, {"numbers", n, bytes_each}, scanner_.bytes_left() + 1);
     std::vector<double> result;

@@ -14,12 +14,6 @@ namespace trivalent::remesh {
 
 namespace {
 
-constexpr std::array number_formats = {
-    NamedFormat{"Int8", int8},      NamedFormat{"UInt8", uint8},   NamedFormat{"Int16", int16},
-    NamedFormat{"UInt16", uint16},  NamedFormat{"Int32", int32},   NamedFormat{"UInt32", uint32},
-    NamedFormat{"Int64", int64},    NamedFormat{"UInt64", uint64}, NamedFormat{"Float32", float32},
-    NamedFormat{"Float64", float64}};
-
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /// What a character of base64 stands for; none if it is no such character.
@@ -236,12 +230,12 @@ std::vector<double> VtkXmlFile::values_of(const pugi::xml_node& array) const {
   if (format != "binary" && format != "appended") {
     fail_in(array, concat("its format is ", in_quotes(format), ", not ascii, binary or appended"));
   }
-  const std::string_view type_name = array.attribute("type").value();
-  const auto* known = std::ranges::find(number_formats, type_name, &NamedFormat::name);
-  if (known == number_formats.end()) {
+  const std::string type_name = array.attribute("type").value();  // Int8 to Float64
+  const auto number_format = sized_format(lower_case(type_name));
+  if (!number_format) {
     fail_in(array, concat("its type ", in_quotes(type_name), " is not known"));
   }
-  const std::size_t size = known->format.size;
+  const std::size_t size = number_format->size;
   const Stream stream = stream_of(array, format);
   const std::string bytes =
       compressor_ == Compressor::none ? plain_bytes(array, stream) : unpacked_bytes(array, stream);
@@ -252,7 +246,7 @@ std::vector<double> VtkXmlFile::values_of(const pugi::xml_node& array) const {
   values.reserve(bytes.size() / size);
   for (std::size_t at = 0; at < bytes.size(); at += size) {
     values.push_back(
-        number_of(std::string_view(bytes).substr(at, size), known->format, byte_order_));
+        number_of(std::string_view(bytes).substr(at, size), *number_format, byte_order_));
   }
   return values;
 }

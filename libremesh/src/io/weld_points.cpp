@@ -16,8 +16,6 @@ namespace trivalent::remesh {
 
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<std::array<int, 3>> triangles_of(const PolygonSoup& soup) {
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(soup.ends.size());

@@ -96,6 +96,11 @@ TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
   return mesh;
 }
 
+int euler_characteristic(const TriMesh& mesh) {
+  return static_cast<int>(mesh.n_vertices()) - static_cast<int>(mesh.n_edges()) +
+         static_cast<int>(mesh.n_faces());
+}
+
 std::vector<std::array<int, 3>> triangles_of(const TriMesh& mesh) {
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(mesh.n_faces());

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 
+#include "trivalent/remesh/mesh.h"
+
 namespace trivalent::remesh {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Numbers positions in the order of their first points. Open addressing: with millions of points a
 /// node for each takes most of the reading.

@@ -31,7 +31,7 @@ constexpr auto max_crossings = static_cast<std::size_t>(max_crossing_pairs);
 /// Thrown out of CGAL's search, which has no other end than the last pair.
 struct EnoughFound {};
 
-using FacePair = std::array<int, 2>;
+using BoxPair = std::array<int, 2>;
 
 /// Triangles of a cell, and behind them those of the cells around that reach into it.
 struct UnfoldedFaces {
@@ -42,7 +42,7 @@ struct UnfoldedFaces {
   std::vector<char> is_ahead = {};  ///< of those: whether its image comes after the opposite one
 
   /// Whether a pair counts: of the two places where a face meets an image of another, one does.
-  [[nodiscard]] bool counts(const FacePair& pair) const {
+  [[nodiscard]] bool counts(const BoxPair& pair) const {
     const auto later = static_cast<std::size_t>(pair[1]);
     if (later < own) return true;
     if (static_cast<std::size_t>(pair[0]) >= own) return false;
@@ -50,7 +50,7 @@ struct UnfoldedFaces {
     return pair[0] < face || (pair[0] == face && is_ahead[later - own] != 0);
   }
   /// The pair by faces.
-  [[nodiscard]] FacePair faces(const FacePair& pair) const {
+  [[nodiscard]] BoxPair faces(const BoxPair& pair) const {
     const auto later = static_cast<std::size_t>(pair[1]);
     return {pair[0], later < own ? pair[1] : face_of[later - own]};
   }
@@ -76,7 +76,7 @@ class IntersectionTest {
   }
 
   /// Whether two faces, each with an area, meet elsewhere than in what they share.
-  [[nodiscard]] bool operator()(const FacePair& pair) const {
+  [[nodiscard]] bool operator()(const BoxPair& pair) const {
     Corners a = faces_.triangles[static_cast<std::size_t>(pair[0])];
     Corners b = faces_.triangles[static_cast<std::size_t>(pair[1])];
     switch (shared_to_front(a, b)) {
@@ -131,7 +131,7 @@ class IntersectionTest {
 };
 
 /// Keeps the first few; which they are does not depend on the order in which they were found.
-void keep_first(std::vector<FacePair>& pairs, std::size_t max_places) {
+void keep_first(std::vector<BoxPair>& pairs, std::size_t max_places) {
   std::sort(pairs.begin(), pairs.end());
   pairs.resize(std::min(pairs.size(), max_places));
 }
@@ -143,7 +143,7 @@ CrossingFaces merged(CrossingFaces found, const CrossingFaces& more, std::size_t
   return found;
 }
 
-CrossingFaces test(const IntersectionTest& meet, const std::vector<FacePair>& candidates,
+CrossingFaces test(const IntersectionTest& meet, const std::vector<BoxPair>& candidates,
                    std::size_t max_places) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, candidates.size()), CrossingFaces(),
@@ -208,7 +208,7 @@ std::vector<Slab> slabs_of(std::vector<Box> boxes, int axis) {
 /// Crossings of boxes in a slab, at most max_crossing_pairs. A pair counts where the later of the
 /// two begins, so that it counts once.
 CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::size_t max_places) {
-  std::vector<FacePair> candidates;
+  std::vector<BoxPair> candidates;
   CrossingFaces found;
   const auto test_batch = [&] {
     found = merged(std::move(found), test(meet, candidates, max_places), max_places);
@@ -220,7 +220,7 @@ CrossingFaces search(Slab slab, int axis, const IntersectionTest& meet, std::siz
         slab.boxes.begin(), slab.boxes.end(), [&](const Box& a, const Box& b) {
           const double begin = std::max(a.min_coord(axis), b.min_coord(axis));
           if (begin < slab.begin || begin >= slab.end) return;
-          const FacePair pair = {std::min(a.info(), b.info()), std::max(a.info(), b.info())};
+          const BoxPair pair = {std::min(a.info(), b.info()), std::max(a.info(), b.info())};
           if (meet.faces().counts(pair)) candidates.push_back(pair);
           if (candidates.size() == batch_size) test_batch();
         });

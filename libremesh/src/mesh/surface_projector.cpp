@@ -22,13 +22,13 @@ namespace trivalent::remesh {
 namespace {
 
 // Distances need no exact predicates, so the fastest kernel serves.
-using Kernel = CGAL::Simple_cartesian<double>;
+using TreeKernel = CGAL::Simple_cartesian<double>;
 using Primitive =
-    CGAL::AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+    CGAL::AABB_triangle_primitive<TreeKernel, std::vector<TreeKernel::Triangle_3>::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<TreeKernel, Primitive>>;
 
-Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-Eigen::Vector3d to_eigen(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+TreeKernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+Eigen::Vector3d to_eigen(const TreeKernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
 /// Halves the triangles of a node of the tree along its box's longest side, as CGAL does; but where
 /// that does not tell needles apart, which all reach from end to end, along the direction in which
@@ -62,7 +62,7 @@ class SplitTriangles {
 
  private:
   static Eigen::Vector3d middle_of(const Primitive& primitive) {
-    const Kernel::Triangle_3& t = *primitive.id();
+    const TreeKernel::Triangle_3& t = *primitive.id();
     return (to_eigen(t[0]) + to_eigen(t[1]) + to_eigen(t[2])) / 3.0;
   }
 
@@ -127,10 +127,10 @@ Foot foot_on(const std::array<Eigen::Vector3d, 3>& t, const Eigen::Vector3d& p) 
 }  // namespace
 
 struct SurfaceProjector::Impl {
-  std::vector<Kernel::Triangle_3> triangles;  // those with an area
-  std::vector<int> face_of;                   // face of the surface, per triangle
-  std::vector<int> triangle_of;               // triangle, per face of the surface
-  std::vector<std::array<int, 3>> corners;    // vertices, per face of the surface
+  std::vector<TreeKernel::Triangle_3> triangles;  // those with an area
+  std::vector<int> face_of;                       // face of the surface, per triangle
+  std::vector<int> triangle_of;                   // triangle, per face of the surface
+  std::vector<std::array<int, 3>> corners;        // vertices, per face of the surface
   std::vector<Eigen::Vector3d> vertex_normals;
   IndexLists fans;  // triangles at every vertex
   Tree tree;
@@ -147,7 +147,7 @@ struct SurfaceProjector::Impl {
 
   /// On the image of a triangle that is beside p.
   [[nodiscard]] Foot foot(int triangle, const Eigen::Vector3d& p) const {
-    const Kernel::Triangle_3& t = triangles[at(triangle)];
+    const TreeKernel::Triangle_3& t = triangles[at(triangle)];
     const Eigen::Vector3d here = lattice.near(to_eigen(t[0]), p);
     Foot foot = foot_on({to_eigen(t[0]), to_eigen(t[1]), to_eigen(t[2])}, here);
     if (lattice.is_periodic()) foot.position += p - here;
@@ -220,7 +220,7 @@ SurfaceProjector::SurfaceProjector(const TriMesh& surface) : impl_(std::make_uni
   for (std::size_t f = 0; f < impl_->corners.size(); ++f) {
     const auto [a, b, c] = corners_of(surface, FaceHandle(static_cast<int>(f)));
     const Eigen::Vector3d home = surface.lattice.wrapped(a) - a;
-    const Kernel::Triangle_3 triangle(to_cgal(a + home), to_cgal(b + home), to_cgal(c + home));
+    const TreeKernel::Triangle_3 triangle(to_cgal(a + home), to_cgal(b + home), to_cgal(c + home));
     impl_->triangle_of[f] = static_cast<int>(impl_->triangles.size());
     if (triangle.is_degenerate()) continue;  // nearest points need an area; the neighbors cover it
     impl_->triangles.push_back(triangle);
@@ -256,8 +256,8 @@ SurfacePoint SurfaceProjector::nearest(const Eigen::Vector3d& p, int face) const
   const auto triangle =
       impl_->triangles.cbegin() + impl_->triangle_of[static_cast<std::size_t>(face)];
   return impl_->nearest(p, [&](const Eigen::Vector3d& image) {
-    const Kernel::Point_3 on_triangle =
-        Kernel().construct_projected_point_3_object()(*triangle, to_cgal(image));
+    const TreeKernel::Point_3 on_triangle =
+        TreeKernel().construct_projected_point_3_object()(*triangle, to_cgal(image));
     return impl_->tree.closest_point_and_primitive(to_cgal(image), {on_triangle, triangle});
   });
 }
@@ -279,13 +279,14 @@ double SurfaceProjector::thickness(VertexHandle v) const {
   };
   /// From an image of the vertex to the other side in the cell, if that is nearer than before.
   const auto across = [&](const Eigen::Vector3d& p, double before) {
-    const Kernel::Ray_3 ray(to_cgal(p), Kernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
+    const TreeKernel::Ray_3 ray(to_cgal(p),
+                                TreeKernel::Vector_3(inwards.x(), inwards.y(), inwards.z()));
     const auto hit = impl_->tree.first_intersection(ray, is_beside);
     if (!hit) return before;
-    const Kernel::Triangle_3& there = *hit->second;
+    const TreeKernel::Triangle_3& there = *hit->second;
     const Eigen::Vector3d a = to_eigen(there[0]);
     const Eigen::Vector3d looks = doubled_area_vector(a, to_eigen(there[1]), to_eigen(there[2]));
-    const auto* point = boost::get<Kernel::Point_3>(&hit->first);
+    const auto* point = boost::get<TreeKernel::Point_3>(&hit->first);
     if (point == nullptr || looks.dot(normal) >= 0.0) return before;
     return std::min(before, (to_eigen(*point) - p).norm());
   };
@@ -311,7 +312,7 @@ SurfacePoint SurfaceProjector::walk_towards(const Eigen::Vector3d& p, int face) 
 
 Eigen::Vector3d SurfaceProjector::normal(const SurfacePoint& p) const {
   const auto face = static_cast<std::size_t>(p.face);
-  const Kernel::Triangle_3& t =
+  const TreeKernel::Triangle_3& t =
       impl_->triangles[static_cast<std::size_t>(impl_->triangle_of[face])];
   const Eigen::Vector3d a = to_eigen(t[0]);
   const Eigen::Vector3d b = to_eigen(t[1]);

@@ -18,7 +18,7 @@ namespace trivalent::remesh {
 namespace {
 
 /// Flips and collapses may lay other faces flat, so several rounds; beyond these it would go on.
-constexpr int max_rounds = 10;
+constexpr int max_flattening_rounds = 10;
 
 void note(std::vector<std::string>& notes, std::string_view verb, std::size_t count,
           std::string_view thing) {
@@ -66,7 +66,7 @@ void remove_flat_faces(TriMesh& mesh, std::vector<std::string>& notes) {
   };
   std::vector<FaceHandle> flat = flat_faces();
   const std::size_t before = flat.size();
-  for (int round = 0; round < max_rounds && !flat.empty(); ++round) {
+  for (int round = 0; round < max_flattening_rounds && !flat.empty(); ++round) {
     for (const FaceHandle face : flat) {
       if (!mesh.status(face).deleted() && is_flat(mesh, face)) remove_flat_face(mesh, face);
     }

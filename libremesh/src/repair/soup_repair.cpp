@@ -14,8 +14,6 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 /// Points with an edge that does not have exactly two faces.
 std::vector<char> points_on_open_edges(const TriangleSoup& soup) {
   std::vector<char> is_open(soup.points.size(), 0);

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 
 /// Sines and cosines of the phases 2π x/a, 2π y/a, 2π z/a.
-struct Waves {
+struct PhaseWaves {
   Eigen::Array3d s;
   Eigen::Array3d c;
 };
@@ -29,7 +29,7 @@ TriMesh nodal_surface(const Request& request, double area, const Function& funct
   (void)pieces(request, a, request.edge_length, 18);
   const auto field = [=](const Eigen::Vector3d& p) {
     const Eigen::Array3d phase = 2.0 * pi / a * p.array();
-    return function(Waves{phase.sin(), phase.cos()});
+    return function(PhaseWaves{phase.sin(), phase.cos()});
   };
   const Lattice lattice(a * Eigen::Matrix3d::Identity(), {true, true, true});
   return level_set(field, 0.0, lattice, request.edge_length);
@@ -41,21 +41,21 @@ double room(const Request& request) { return 5.0 * request.edge_length; }
 }  // namespace
 
 TriMesh schwarz_p(const Request& request) {
-  return nodal_surface(request, 2.35, [](const Waves& w) { return w.c.sum(); });
+  return nodal_surface(request, 2.35, [](const PhaseWaves& w) { return w.c.sum(); });
 }
 
 TriMesh schwarz_d(const Request& request) {
-  return nodal_surface(request, 3.84, [](const Waves& w) { return w.c.prod() - w.s.prod(); });
+  return nodal_surface(request, 3.84, [](const PhaseWaves& w) { return w.c.prod() - w.s.prod(); });
 }
 
 TriMesh gyroid(const Request& request) {
-  return nodal_surface(request, 3.10, [](const Waves& w) {
+  return nodal_surface(request, 3.10, [](const PhaseWaves& w) {
     return w.s[0] * w.c[1] + w.s[1] * w.c[2] + w.s[2] * w.c[0];
   });
 }
 
 TriMesh i_wp(const Request& request) {
-  return nodal_surface(request, 3.65, [](const Waves& w) {
+  return nodal_surface(request, 3.65, [](const PhaseWaves& w) {
     const Eigen::Array3d doubled = 2.0 * w.c.square() - 1.0;
     return 2.0 * (w.c[0] * w.c[1] + w.c[1] * w.c[2] + w.c[2] * w.c[0]) - doubled.sum();
   });
@@ -63,7 +63,7 @@ TriMesh i_wp(const Request& request) {
 
 TriMesh neovius(const Request& request) {
   return nodal_surface(request, 3.55,
-                       [](const Waves& w) { return 3.0 * w.c.sum() + 4.0 * w.c.prod(); });
+                       [](const PhaseWaves& w) { return 3.0 * w.c.sum() + 4.0 * w.c.prod(); });
 }
 
 TriMesh plane(const Request& request) {

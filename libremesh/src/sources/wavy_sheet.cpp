@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-struct Waves {
+struct SheetWaves {
   double amplitude = 0.0;
   double wave_number = 0.0;
   [[nodiscard]] double height(double x, double y) const {
@@ -49,7 +49,7 @@ TriMesh wavy_sheet(const Request& request) {
   check_positive(request, {"width", "depth", "wavelength"});
   const double width = request.at("width");
   const double depth = request.at("depth");
-  const Waves waves{request.at("amplitude"), 2.0 * pi / request.at("wavelength")};
+  const SheetWaves waves{request.at("amplitude"), 2.0 * pi / request.at("wavelength")};
   const double stretch = waves.stretch();
   check_face_count(request, width * depth * stretch);
   const double flat_edge = request.edge_length / std::sqrt(stretch);

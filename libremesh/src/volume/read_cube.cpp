@@ -66,6 +66,9 @@ Volume read_cube(const Source& source) {
       }
     }
   }
+  if (!scanner.word_across_lines().empty()) {
+    volume.notes.push_back("values behind the last point were ignored");
+  }
   return volume;
 }
 

@@ -10,15 +10,15 @@ namespace trivalent::remesh {
 
 namespace {
 
-constexpr std::size_t header_size = 1024;
+constexpr std::size_t map_header_size = 1024;
 
 /// The 256 words of a map's header, counted from 1 as in the format's description [Cheng2015].
-class Header {
+class MapHeader {
  public:
-  explicit Header(const Source& source) : source_(source) {
-    if (source.bytes.size() < header_size) {
+  explicit MapHeader(const Source& source) : source_(source) {
+    if (source.bytes.size() < map_header_size) {
       fail(source, concat("holds ", source.bytes.size(), " bytes; the header of a map alone has ",
-                          header_size, "; is it cut short?"));
+                          map_header_size, "; is it cut short?"));
     }
     constexpr std::size_t mark = 53;
     if (bytes(mark, 4) != "MAP ") fail(source, "is no MRC or CCP4 map: 'MAP ' is not at byte 208");
@@ -60,7 +60,7 @@ NumberFormat format_of_mode(const Source& source, std::int64_t mode) {
 }
 
 /// Which of the cell's axes columns, rows and sections run along.
-std::array<std::size_t, 3> axes_of(const Source& source, const Header& header) {
+std::array<std::size_t, 3> axes_of(const Source& source, const MapHeader& header) {
   constexpr std::size_t first_word = 17;
   std::array<std::size_t, 3> axes = {};
   std::array<bool, 3> is_taken = {};
@@ -76,7 +76,7 @@ std::array<std::size_t, 3> axes_of(const Source& source, const Header& header) {
 }
 
 /// The cell's vectors as columns, a along x and b in the xy plane.
-Eigen::Matrix3d cell_of(const Header& header) {
+Eigen::Matrix3d cell_of(const MapHeader& header) {
   constexpr std::size_t lengths = 11;
   constexpr std::size_t angles = 14;
   std::array<double, 3> cosines = {};
@@ -99,21 +99,21 @@ Eigen::Matrix3d cell_of(const Header& header) {
 }  // namespace
 
 Volume read_mrc(const Source& source) {
-  const Header header(source);
+  const MapHeader header(source);
   const std::array<std::size_t, 3> axes = axes_of(source, header);
   std::array<std::int64_t, 3> in_file = {};
   for (std::size_t k = 0; k < 3; ++k) in_file[k] = header.integer(1 + k);
   static_cast<void>(checked_points(source, in_file, source.bytes.size()));
   constexpr std::size_t symmetry_bytes = 24;
   const std::int64_t extended = header.integer(symmetry_bytes);
-  if (extended < 0 || header_size + static_cast<std::size_t>(extended) > source.bytes.size()) {
+  if (extended < 0 || map_header_size + static_cast<std::size_t>(extended) > source.bytes.size()) {
     fail(source, concat("its extended header of ", extended, " bytes is longer than the file"));
   }
   const std::array<int, 3> size = {static_cast<int>(in_file[0]), static_cast<int>(in_file[1]),
                                    static_cast<int>(in_file[2])};
   const std::vector<float> values =
       values_of(source, size,
-                {.bytes = source.bytes.substr(header_size + static_cast<std::size_t>(extended)),
+                {.bytes = source.bytes.substr(map_header_size + static_cast<std::size_t>(extended)),
                  .format = format_of_mode(source, header.integer(4)),
                  .order = header.order()});
 

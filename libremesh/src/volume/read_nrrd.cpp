@@ -13,47 +13,31 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// All names that NRRD has for its types.
-constexpr std::array number_formats = {NamedFormat{"signed char", int8},
-                                       NamedFormat{"int8", int8},
-                                       NamedFormat{"int8_t", int8},
-                                       NamedFormat{"uchar", uint8},
-                                       NamedFormat{"unsigned char", uint8},
-                                       NamedFormat{"uint8", uint8},
-                                       NamedFormat{"uint8_t", uint8},
-                                       NamedFormat{"short", int16},
-                                       NamedFormat{"short int", int16},
-                                       NamedFormat{"signed short", int16},
-                                       NamedFormat{"signed short int", int16},
-                                       NamedFormat{"int16", int16},
-                                       NamedFormat{"int16_t", int16},
-                                       NamedFormat{"ushort", uint16},
-                                       NamedFormat{"unsigned short", uint16},
-                                       NamedFormat{"unsigned short int", uint16},
-                                       NamedFormat{"uint16", uint16},
-                                       NamedFormat{"uint16_t", uint16},
-                                       NamedFormat{"int", int32},
-                                       NamedFormat{"signed int", int32},
-                                       NamedFormat{"int32", int32},
-                                       NamedFormat{"int32_t", int32},
-                                       NamedFormat{"uint", uint32},
-                                       NamedFormat{"unsigned int", uint32},
-                                       NamedFormat{"uint32", uint32},
-                                       NamedFormat{"uint32_t", uint32},
-                                       NamedFormat{"longlong", int64},
-                                       NamedFormat{"long long", int64},
-                                       NamedFormat{"long long int", int64},
-                                       NamedFormat{"signed long long", int64},
-                                       NamedFormat{"signed long long int", int64},
-                                       NamedFormat{"int64", int64},
-                                       NamedFormat{"int64_t", int64},
-                                       NamedFormat{"ulonglong", uint64},
-                                       NamedFormat{"unsigned long long", uint64},
-                                       NamedFormat{"unsigned long long int", uint64},
-                                       NamedFormat{"uint64", uint64},
-                                       NamedFormat{"uint64_t", uint64},
-                                       NamedFormat{"float", float32},
-                                       NamedFormat{"double", float64}};
+/// NRRD's names for its types; it has int8 to uint64 too, as int8_t to uint64_t as well.
+constexpr std::array nrrd_formats = {NamedFormat{"signed char", int8},
+                                     NamedFormat{"uchar", uint8},
+                                     NamedFormat{"unsigned char", uint8},
+                                     NamedFormat{"short", int16},
+                                     NamedFormat{"short int", int16},
+                                     NamedFormat{"signed short", int16},
+                                     NamedFormat{"signed short int", int16},
+                                     NamedFormat{"ushort", uint16},
+                                     NamedFormat{"unsigned short", uint16},
+                                     NamedFormat{"unsigned short int", uint16},
+                                     NamedFormat{"int", int32},
+                                     NamedFormat{"signed int", int32},
+                                     NamedFormat{"uint", uint32},
+                                     NamedFormat{"unsigned int", uint32},
+                                     NamedFormat{"longlong", int64},
+                                     NamedFormat{"long long", int64},
+                                     NamedFormat{"long long int", int64},
+                                     NamedFormat{"signed long long", int64},
+                                     NamedFormat{"signed long long int", int64},
+                                     NamedFormat{"ulonglong", uint64},
+                                     NamedFormat{"unsigned long long", uint64},
+                                     NamedFormat{"unsigned long long int", uint64},
+                                     NamedFormat{"float", float32},
+                                     NamedFormat{"double", float64}};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -144,11 +128,11 @@ class NrrdReader {
   void read_sizes(Volume& volume) {
     const std::vector<std::string> words = words_of(field("sizes"));
     const bool has_more = words.size() > 3;
-    std::array<std::int64_t, 3> size = {};
     for (std::size_t k = 0; k < words.size(); ++k) {
-      const double length = number_in(words[k], "sizes");
-      if (has_more && length == 1.0) continue;
-      if (axes_.size() < 3) size[axes_.size()] = static_cast<std::int64_t>(std::min(length, 1e9));
+      const auto length = parse_integer(words[k]);
+      if (!length) fail(source_, concat("sizes: ", in_quotes(words[k]), " is no whole number"));
+      if (has_more && *length == 1) continue;
+      if (axes_.size() < 3) size_[axes_.size()] = *length;
       axes_.push_back(k);
     }
     if (axes_.size() != 3) {
@@ -156,8 +140,8 @@ class NrrdReader {
                            "; a volume has three axes and one value at each point"));
     }
     constexpr std::size_t not_by_size = std::numeric_limits<std::size_t>::max();
-    static_cast<void>(checked_points(source_, size, not_by_size));
-    for (std::size_t k = 0; k < 3; ++k) volume.size[k] = static_cast<int>(size[k]);
+    static_cast<void>(checked_points(source_, size_, not_by_size));
+    for (std::size_t k = 0; k < 3; ++k) volume.size[k] = static_cast<int>(size_[k]);
   }
 
   void read_axes(Volume& volume) const {
@@ -209,24 +193,25 @@ class NrrdReader {
     return vector;
   }
 
-  [[nodiscard]] NumberArray array_of(std::string_view bytes) const {
+  [[nodiscard]] NumberFormat format_of_values() const {
     const std::string type = lower_case(field("type"));
-    const auto* const known =
-        std::ranges::find(number_formats, std::string_view(type), &NamedFormat::name);
-    if (known == number_formats.end()) {
-      fail(source_, concat("its values are of type ", in_quotes(type), ", which is not read"));
-    }
-    NumberArray array = {.bytes = bytes, .format = known->format};
-    if (known->format.size > 1 && lower_case(field("endian")) == "big") {
+    if (const auto format = find_format(nrrd_formats, type)) return *format;
+    std::string_view sized = type;
+    if (sized.ends_with("_t")) sized.remove_suffix(2);
+    if (const auto format = sized_format(sized)) return *format;
+    fail(source_, concat("its values are of type ", in_quotes(type), ", which is not read"));
+  }
+
+  [[nodiscard]] NumberArray array_of(std::string_view bytes) const {
+    const NumberFormat format = format_of_values();
+    NumberArray array = {.bytes = bytes, .format = format};
+    if (format.size > 1 && lower_case(field("endian")) == "big") {
       array.order = ByteOrder::big_endian;
     }
     // A negative skip counts from the end: the values are the file's last bytes.
     if (is_at_end_) {
-      const std::vector<std::string> words = words_of(field("sizes"));
-      std::size_t wanted = known->format.size;
-      for (const std::string& word : words) {
-        wanted *= static_cast<std::size_t>(number_in(word, "sizes"));
-      }
+      std::size_t wanted = format.size;
+      for (const std::int64_t length : size_) wanted *= static_cast<std::size_t>(length);
       array.bytes = bytes.substr(bytes.size() - std::min(wanted, bytes.size()));
     }
     return array;
@@ -253,16 +238,15 @@ class NrrdReader {
   void read_text(Volume& volume) const {
     const Source text = {.bytes = data_, .name = source_.name};
     TextScanner scanner(text, Continuation::none);
-    const std::size_t points =
-        checked_points(source_, {volume.size[0], volume.size[1], volume.size[2]}, data_.size());
-    volume.values.resize(points);
+    volume.values.resize(checked_points(source_, size_, data_.size()));
     for (float& value : volume.values) value = static_cast<float>(scanner.number("value"));
   }
 
   const Source& source_;
   std::map<std::string, std::string> fields_;
   std::string_view data_;
-  std::vector<std::size_t> axes_;
+  std::array<std::int64_t, 3> size_ = {};
+  std::vector<std::size_t> axes_;  ///< of the file, for each of the volume
   bool is_at_end_ = false;
 };
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "io/mesh_readers.h"
@@ -77,6 +78,12 @@ class VtiReader {
   [[nodiscard]] Extent extent_of(const pugi::xml_node& node, const char* name) const {
     const std::vector<double> numbers = numbers_of(node, name, 6);
     Extent extent = {};
+    constexpr double limit = 2147483647.0;
+    for (const double number : numbers) {
+      if (number == std::floor(number) && std::abs(number) <= limit) continue;
+      fail(source_, concat(node.name(), ": ", name, " must be whole numbers, not ",
+                           in_quotes(node.attribute(name).value())));
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       extent.first[k] = static_cast<std::int64_t>(numbers[2 * k]);
       extent.last[k] = static_cast<std::int64_t>(numbers[2 * k + 1]);

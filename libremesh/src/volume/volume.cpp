@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/level_set.h"
@@ -50,7 +49,7 @@ std::array<int, 3> periods_of(const Volume& volume, const Lattice::Periodic& per
     const auto n = static_cast<std::size_t>(volume.size[k]);
     const std::size_t to_last = (n - 1) * stride;
     double largest = 0.0;
-    for (std::size_t i = 0; i < volume.values.size(); ++i) {
+    for (std::size_t i = 0; periodic[k] && i < volume.values.size(); ++i) {
       if (i / stride % n != 0) continue;
       const double difference =
           static_cast<double>(volume.values[i + to_last]) - static_cast<double>(volume.values[i]);
@@ -60,6 +59,20 @@ std::array<int, 3> periods_of(const Volume& volume, const Lattice::Periodic& per
     stride *= n;
   }
   return periods;
+}
+
+/// The volume without last points that repeat the first ones: they would be counted twice.
+Volume without_repeats(const Volume& volume, const std::array<int, 3>& periods) {
+  Volume cell = {.size = periods, .origin = volume.origin, .steps = volume.steps, .values = {}};
+  for (int z = 0; z < periods[2]; ++z) {
+    for (int y = 0; y < periods[1]; ++y) {
+      const auto row =
+          volume.values.begin() + static_cast<std::ptrdiff_t>(volume.size[0]) *
+                                      (y + static_cast<std::ptrdiff_t>(volume.size[1]) * z);
+      cell.values.insert(cell.values.end(), row, row + periods[0]);
+    }
+  }
+  return cell;
 }
 
 /// Which side of the level the points of a border are on.
@@ -159,20 +172,9 @@ TriMesh level_set(const Volume& volume, double level, const Lattice::Periodic& p
   const double sign = is_higher_inside(volume, level, periodic) ? -1.0 : 1.0;
   const Lattice lattice = lattice_of(volume, periodic);
   const std::array<int, 3> periods = periods_of(volume, periodic);
-  // One plane too many would be counted twice.
-  Volume cell = volume;
-  cell.size = periods;
-  if (periods != volume.size) {
-    cell.values.clear();
-    for (int z = 0; z < periods[2]; ++z) {
-      for (int y = 0; y < periods[1]; ++y) {
-        const auto row =
-            volume.values.begin() + static_cast<std::ptrdiff_t>(volume.size[0]) *
-                                        (y + static_cast<std::ptrdiff_t>(volume.size[1]) * z);
-        cell.values.insert(cell.values.end(), row, row + periods[0]);
-      }
-    }
-  }
+  const bool has_repeats = periods != volume.size;
+  const Volume first_points = has_repeats ? without_repeats(volume, periods) : Volume{};
+  const Volume& cell = has_repeats ? first_points : volume;
   // A frame lies around the origin, a cell begins there.
   Eigen::Vector3d start = volume.origin;
   for (Eigen::Index k = 0; k < 3; ++k) {

@@ -9,13 +9,13 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-namespace {
-
 struct CosineOfAngle {
   double value;
   Eigen::Vector3d slope_a;  // d/da
   Eigen::Vector3d slope_b;
 };
+
+namespace {
 
 [[nodiscard]] CosineOfAngle cosine_of_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double length_a = a.norm();

@@ -46,7 +46,8 @@ inline constexpr double unit_triangle_area = 0.25 * std::numbers::sqrt3;
 inline constexpr double max_faces = 2e7;
 
 /// Position of a vertex in arrays with one entry per vertex.
-[[nodiscard]] inline std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
+[[nodiscard]] inline std::size_t index(int number) { return static_cast<std::size_t>(number); }
+[[nodiscard]] inline std::size_t index(VertexHandle v) { return index(v.idx()); }
 
 /// Builds a half-edge mesh from points and triangles (indices into points, counter-clockwise seen
 /// from outside). Points that no triangle uses stay as isolated vertices.
@@ -55,6 +56,9 @@ inline constexpr double max_faces = 2e7;
 ///   a corner, or the triangles form no oriented 2-manifold; the message names the element.
 [[nodiscard]] TriMesh make_mesh(std::span<const Eigen::Vector3d> points,
                                 std::span<const std::array<int, 3>> triangles);
+
+/// Vertices - edges + faces: 2 for a sphere, 0 for a torus.
+[[nodiscard]] int euler_characteristic(const TriMesh& mesh);
 
 /// Corner indices of every face, in face order.
 [[nodiscard]] std::vector<std::array<int, 3>> triangles_of(const TriMesh& mesh);

@@ -25,6 +25,10 @@ struct TextSource {
 ///   on, it may not unpack to more than 200 times its size.
 [[nodiscard]] std::string read_text(const TextSource& source);
 
+[[nodiscard]] inline bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t") == line.npos;
+}
+
 /// A text line by line, and numbers out of its fields. Every complaint names file and line.
 class LineReader {
  public:
