@@ -60,6 +60,10 @@ inline constexpr double settled_pair = 1.3;
 inline constexpr double exact_count = 3.0;
 /// A free surface may have so many more or fewer vertices than wanted [of those].
 inline constexpr double free_count = 0.01;
+/// Of annealing a cell's net of few vertices: a quarter of them or more find the octagons of P.
+inline int runs_of_cell_nets(Effort effort) {
+  return effort == Effort::quick ? 4 : effort == Effort::normal ? 16 : 48;
+}
 inline constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 
 /// Rounds of a schedule: fewer for a quick search, more for a thorough one.

@@ -11,11 +11,13 @@
 #include <numbers>
 #include <vector>
 
+#include "crystal/cell_net_search.h"
 #include "crystal/inflation.h"
 #include "crystal/membrane_annealing.h"
 #include "crystal/membrane_schedule.h"
 #include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/surface_shape.h"
 
 namespace trivalent::remesh {
@@ -111,6 +113,7 @@ class MembraneSearch {
       is_coarse = order_from(level);
     }
     if (!is_coarse && (watch_.stopped() || !start_small())) return std::nullopt;
+    if (!watch_.stopped()) try_cell_nets();
     finish();
     scale(net_.mesh, 1.0 / scale_);
     return FoundNet{std::move(net_.mesh), is_coarse};
@@ -185,6 +188,53 @@ class MembraneSearch {
     net_.on_surface.restore(net->on_surface.state());
     order(levels.back());
     return true;
+  }
+
+  /// Takes a net of a crystal's cell that comes from a few vertices, if its energy is lower.
+  void try_cell_nets() {
+    const int euler = euler_characteristic(surface_);
+    const bool is_crystal = surface_.lattice.periodic() == Lattice::Periodic{true, true, true};
+    if (!is_crystal || euler >= 0) return;
+    const auto division = plan_cell_division(wanted_vertices(levels.back()), euler);
+    if (!division) return;
+    // A remeshed start of four times the vertices; the lattice allows edges of a quarter of it.
+    const double base_length = Membrane::fine_length * std::sqrt(division->triangles_each());
+    const double length = std::min(0.5 * base_length, 0.24 * surface_.lattice.shortest());
+    const std::unique_ptr<Net> start = starting_net(surface_, creases_, starting_options(length));
+    if (!start || find_components(start->mesh).parts.size() != 1) return;
+    const CellNet found = search_cell_net(start->mesh, net_.on_surface.surface(),
+                                          {.division = *division,
+                                           .seed = options_.seed,
+                                           .runs = runs_of_cell_nets(options_.effort),
+                                           .should_stop = watch_.question()});
+    if (watch_.stopped() || !found.is_simplicial()) return;
+    const double before = settled_energy();
+    const ConstrainedMesh::State other = net_.on_surface.state();
+    net_.on_surface.restore(state_of(found));
+    if (watch_.stopped() || settled_energy() >= before) net_.on_surface.restore(other);
+  }
+
+  /// Energy of the net at the target length, relaxed, cores and the count term included [eV].
+  [[nodiscard]] double settled_energy() {
+    MembraneNet net(net_.on_surface, surface_, final_membrane());
+    net.relax(closing_steps, watch_.question());
+    net.renew();
+    net.relax(closing_steps, watch_.question());
+    return energy_of(net, wanted_vertices(levels.back()));
+  }
+
+  [[nodiscard]] ConstrainedMesh::State state_of(const CellNet& net) const {
+    ConstrainedMesh::State state;
+    state.positions = net.positions;
+    for (const Eigen::Vector3d& p : net.positions) {
+      Anchor anchor;
+      anchor.face = net_.on_surface.surface().nearest(p).face;
+      state.anchors.push_back(anchor);
+    }
+    for (int h = 0; h < net.n_halfedges(); h += 3) {
+      state.triangles.push_back({net.from(h), net.to(h), net.to(h + 1)});
+    }
+    return state;
   }
 
   [[nodiscard]] StartingNetOptions starting_options(double length) const {
@@ -309,10 +359,15 @@ class MembraneSearch {
     for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
   }
 
-  void finish() {
+  /// Of the net that is handed out.
+  [[nodiscard]] Membrane final_membrane() const {
     Membrane membrane = membrane_at(levels.back());
     if (!is_held(options_)) membrane.tether = membrane.cover = 0.0;
-    MembraneNet net(net_.on_surface, surface_, membrane);
+    return membrane;
+  }
+
+  void finish() {
+    MembraneNet net(net_.on_surface, surface_, final_membrane());
     if (watch_.stopped()) return net.relax(hasty_steps);
     net.relax(closing_steps, watch_.question());
     net.renew();

@@ -1,0 +1,338 @@
+#include "crystal/cell_net_search.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "crystal/defect_moves.h"
+#include "crystal/lbfgs.h"
+#include "crystal/membrane_preconditioner.h"
+#include "crystal/membrane_schedule.h"
+#include "crystal/vertex_images.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+constexpr double hot = 4.0;   // [eV]
+constexpr double cold = 0.5;  // [eV]
+constexpr int trials_per_edge = 130;
+/// Every edge of a base net is divided into so many parts for its energy.
+constexpr int parts_of_carbon = 2;
+/// [eV/Å²] that hold the vertices of a base net to the surface: 0.5 lets the net twist around the
+/// necks of P in 16 runs of 16, with 2 half of the runs find its octagons.
+constexpr double tether = 2.0;
+constexpr double tether_of_thinning = 20.0;
+/// Who finds the way to the best net of P does so in this part of the schedule.
+constexpr double first_part = 0.25;
+constexpr std::size_t max_finalists = 2;
+constexpr int trial_steps = 60;
+constexpr int thinning_steps = 60;
+constexpr int first_steps = 300;
+
+/// Planes that hold the first vertices of a net.
+using Holds = std::vector<Tether<double>>;
+
+MembraneTerms<double> terms_of(const CellNet& net, const Membrane& membrane, VertexImages& images) {
+  MembraneTerms<double> terms;
+  for (int h = 0; h < net.n_halfedges(); ++h) {
+    const int g = net.opposite(h);
+    if (g < h) continue;
+    const int a = net.from(h);
+    const int b = net.to(h);
+    const CellNet::Corner c = net.apex(h);
+    const int to_d = CellNet::next(g);
+    const double rest = membrane.rest_length(net.valence(a) - 6, net.valence(b) - 6);
+    terms.hinges.push_back({a, images.number(b, net.image(h)), images.number(c.vertex, c.image),
+                            images.number(net.to(to_d), net.image(to_d)),
+                            static_cast<float>(rest)});
+  }
+  return terms;
+}
+
+Lanes<double> lanes_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
+
+double cores_of(const CellNet& net, const Membrane& membrane) {
+  double sum = 0.0;
+  for (int v = 0; v < net.n_vertices(); ++v) sum += membrane.core_energy(net.valence(v) - 6);
+  return sum;
+}
+
+/// How far a net is relaxed.
+struct RelaxLimits {
+  int steps;
+  double limit = std::numeric_limits<double>::infinity();  ///< [eV] given up above
+};
+
+class CellNetRun {
+ public:
+  CellNetRun(const CellNet& start, const Lattice& lattice, const SurfaceProjector& surface,
+             const CellNetOptions& options, std::uint64_t seed)
+      : net_(start),
+        surface_(&surface),
+        options_(&options),
+        seed_(seed),
+        // In the unit of the carbon that the energy is of: edges of the divided net have m.
+        scale_(parts_of_carbon / std::sqrt(options.division.triangles_each())),
+        lattice_(lattice.scaled(scale_)) {
+    for (Eigen::Vector3d& p : net_.positions) p *= scale_;
+    const Level& finest = levels.back();
+    carbon_.pentagon = finest.pentagon;
+    carbon_.heptagon = finest.heptagon;
+    carbon_.octagon = finest.octagon;
+    carbon_.ring_width = finest.ring_width;
+  }
+
+  /// Makes the base net.
+  void thin() {
+    flip_to_shorter_edges();
+    spread(first_steps);
+    const int most_tries = 20 * net_.n_vertices();
+    for (int k = 0; k < most_tries && net_.n_vertices() > options_->division.base_vertices; ++k) {
+      const int v = net_.from(shortest_edge());
+      // Its edges go, those with the shortest other diagonal first.
+      while (net_.valence(v) > 3 && flip_one_away(v)) {
+      }
+      if (net_.valence(v) == 3) net_.remove(v);
+      flip_to_shorter_edges();
+      spread(thinning_steps);
+    }
+    holds_ = holds_of(net_, tether);
+    keep(energy_of(net_, {first_steps}));
+  }
+
+  /// Flips edges from one part of the schedule to a later one: 0 is hot, 1 is cold.
+  void anneal(double begin, double end) {
+    const int n_trials = trials_per_edge * net_.n_halfedges() / 2;
+    const auto last = static_cast<int>(end * n_trials);
+    for (auto k = static_cast<int>(begin * n_trials); k < last; ++k) {
+      if (options_->should_stop && options_->should_stop()) return;
+      CellNet trial = net_;
+      if (!trial.flip(random_below(net_.n_halfedges()))) continue;
+      const double temperature = hot * std::pow(cold / hot, static_cast<double>(k) / n_trials);
+      seed_ = hashed(seed_, 4);
+      const double limit = energy_ + largest_rise(temperature, seed_, 0.0);
+      const double reached = energy_of(trial, {trial_steps, limit});
+      if (reached > limit) continue;
+      net_ = std::move(trial);
+      holds_ = holds_of(net_, tether);
+      keep(reached);
+    }
+  }
+
+  /// Of the best net [eV].
+  [[nodiscard]] double best_energy() const { return best_energy_; }
+  /// The best net, in the unit of the lattice.
+  [[nodiscard]] CellNet best() const {
+    CellNet net = best_;
+    for (Eigen::Vector3d& p : net.positions) p /= scale_;
+    return net;
+  }
+
+ private:
+  [[nodiscard]] double random() {
+    seed_ = hashed(seed_, 3);
+    return uniform(seed_);
+  }
+  [[nodiscard]] int random_below(int n) { return std::min(static_cast<int>(random() * n), n - 1); }
+  [[nodiscard]] SurfacePoint foot_of(const Eigen::Vector3d& p) const {
+    return surface_->nearest(p / scale_);
+  }
+
+  [[nodiscard]] Holds holds_of(const CellNet& net, double stiffness) const {
+    Holds holds;
+    for (int v = 0; v < net.n_vertices(); ++v) {
+      const Eigen::Vector3d& p = net.positions[index(v)];
+      const SurfacePoint foot = foot_of(p);
+      holds.push_back({v, stiffness, lanes_of(lattice_.near(p, scale_ * foot.position)),
+                       lanes_of(surface_->normal(foot))});
+    }
+    return holds;
+  }
+
+  /// Moves the vertices to the minimum of the energy, which is returned, cores included [eV].
+  double relax(CellNet& net, const Membrane& membrane, const Holds& holds,
+               const RelaxLimits& effort) {
+    const std::size_t n = net.positions.size();
+    VertexImages images(n);
+    MembraneTerms<double> terms = terms_of(net, membrane, images);
+    terms.tethers = holds;
+    std::vector<Lanes<double>> positions(n);
+    Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      positions[i] = lanes_of(net.positions[i]);
+      x.segment<4>(4 * static_cast<Eigen::Index>(i)) = positions[i];
+    }
+    images.place(lattice_, positions);
+    std::vector<Lanes<double>> slopes(positions.size());
+    const MembranePreconditioner<double> inverse(membrane, terms, positions, n, images);
+    const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
+      std::copy_n(at.data(), at.size(), positions[0].data());
+      images.place(lattice_, positions);
+      std::ranges::fill(slopes, Lanes<double>::Zero());
+      const double energy = membrane_energy(membrane, terms, positions, slopes);
+      images.collect(slopes);
+      std::copy_n(slopes[0].data(), at.size(), gradient.data());
+      return energy;
+    };
+    const double cores = cores_of(net, membrane);
+    constexpr double tolerance = 0.01;  // [eV]
+    constexpr double of_prediction = 3.0;
+    const double energy = minimizer_.minimize(
+        x, {.max_steps = effort.steps, .max_move = 0.3 * membrane.length, .tolerance = tolerance},
+        evaluate, [&](Lbfgs<double>::Vector& v) { inverse.apply(v); },
+        [&](double reached, double predicted) {
+          return reached - of_prediction * predicted + cores > effort.limit;
+        });
+    for (std::size_t i = 0; i < n; ++i) {
+      net.positions[i] = x.segment<3>(4 * static_cast<Eigen::Index>(i));
+    }
+    return energy + cores;
+  }
+
+  /// Energy of a base net as carbon; its vertices move with those of the divided net.
+  double energy_of(CellNet& base, const RelaxLimits& effort) {
+    CellNet fine = base.divided(parts_of_carbon, lattice_);
+    const double energy = relax(fine, carbon_, holds_, effort);
+    std::copy_n(fine.positions.begin(), base.positions.size(), base.positions.begin());
+    return energy;
+  }
+
+  [[nodiscard]] int shortest_edge() {
+    constexpr double scatter = 0.4;  // makes every run another net: 0.1 finds P's best less often
+    int shortest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int h = 0; h < net_.n_halfedges(); ++h) {
+      const double length = net_.edge_vector(h, lattice_).norm() * (1.0 + scatter * random());
+      if (length >= least) continue;
+      least = length;
+      shortest = h;
+    }
+    return shortest;
+  }
+
+  bool flip_one_away(int v) {
+    std::vector<std::pair<double, int>> spokes;
+    for (int h = 0; h < net_.n_halfedges(); ++h) {
+      if (net_.from(h) == v) spokes.emplace_back(net_.diagonal_length(h, lattice_), h);
+    }
+    std::ranges::sort(spokes);
+    return std::ranges::any_of(spokes, [&](const auto& spoke) { return net_.flip(spoke.second); });
+  }
+
+  void flip_to_shorter_edges() {
+    constexpr double worthwhile = 0.95;
+    constexpr int max_sweeps = 20;
+    bool flipped = true;
+    for (int sweep = 0; sweep < max_sweeps && flipped; ++sweep) {
+      flipped = false;
+      for (int h = 0; h < net_.n_halfedges(); ++h) {
+        const double length = net_.edge_vector(h, lattice_).norm();
+        if (net_.opposite(h) < h || net_.diagonal_length(h, lattice_) >= worthwhile * length)
+          continue;
+        flipped = net_.flip(h) || flipped;
+      }
+    }
+  }
+
+  /// Relaxes the net at its own edge length, and puts its vertices on the surface.
+  void spread(int steps) {
+    Membrane membrane;
+    const int faces = net_.n_halfedges() / 3;
+    const int base_faces = faces - 2 * (net_.n_vertices() - options_->division.base_vertices);
+    membrane.length = parts_of_carbon * Membrane::fine_length *
+                      std::sqrt(static_cast<double>(base_faces) / static_cast<double>(faces));
+    relax(net_, membrane, holds_of(net_, tether_of_thinning), {steps});
+    for (Eigen::Vector3d& p : net_.positions) {
+      p = lattice_.near(p, scale_ * foot_of(p).position);
+    }
+  }
+
+  /// After a move.
+  void keep(double energy) {
+    energy_ = energy;
+    if (energy >= best_energy_) return;
+    best_energy_ = energy;
+    best_ = net_;
+  }
+
+  CellNet net_;
+  CellNet best_ = net_;
+  double energy_ = 0.0;  // [eV]
+  double best_energy_ = std::numeric_limits<double>::infinity();
+  const SurfaceProjector* surface_;
+  const CellNetOptions* options_;
+  std::uint64_t seed_;
+  double scale_;
+  Lattice lattice_;
+  Membrane carbon_;
+  Holds holds_;
+  Lbfgs<double> minimizer_;
+};
+
+}  // namespace
+
+std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
+  // Fewer leave no room for curvature, more are not ordered in these times.
+  const int min_base_vertices = -5 * euler;
+  constexpr int max_base_vertices = 32;
+  constexpr double max_deviation = 0.01;
+  constexpr int max_parts = 9;
+  const int wanted_faces = 2 * (wanted_vertices - euler);
+  std::optional<CellDivision> best;
+  int least = static_cast<int>(max_deviation * wanted_faces) + 1;
+  for (int parts = 1; parts <= max_parts; ++parts) {
+    for (const bool by_sqrt3 : {true, false}) {
+      CellDivision division = {.base_vertices = 0, .parts = parts, .by_sqrt3 = by_sqrt3};
+      const int each = division.triangles_each();
+      if (each < 3) continue;
+      const int base_faces = 2 * static_cast<int>(std::lround(0.5 * wanted_faces / each));
+      division.base_vertices = euler + base_faces / 2;
+      if (division.base_vertices < min_base_vertices ||
+          division.base_vertices > max_base_vertices) {
+        continue;
+      }
+      const int deviation = std::abs(base_faces * each - wanted_faces);
+      const bool is_smaller = best && division.base_vertices < best->base_vertices;
+      if (deviation > least || (deviation == least && best && !is_smaller)) continue;
+      least = deviation;
+      best = division;
+    }
+  }
+  return best;
+}
+
+CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
+                        const CellNetOptions& options) {
+  const CellNet net = CellNet::of(start);
+  std::vector<CellNetRun> runs;
+  for (int k = 0; k < options.runs; ++k) {
+    runs.emplace_back(net, start.lattice, surface, options,
+                      hashed(options.seed, static_cast<std::uint64_t>(k)));
+  }
+  const auto for_each_run = [&](std::size_t count, const auto& work) {
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      tbb::this_task_arena::isolate([&] { work(runs[k]); });
+    });
+  };
+  for_each_run(runs.size(), [](CellNetRun& run) {
+    run.thin();
+    run.anneal(0.0, first_part);
+  });
+  std::ranges::stable_sort(runs, {}, &CellNetRun::best_energy);
+  for_each_run(std::min(max_finalists, runs.size()),
+               [](CellNetRun& run) { run.anneal(first_part, 1.0); });
+  const auto& best = *std::ranges::min_element(runs, {}, &CellNetRun::best_energy);
+  CellNet found = best.best();
+  const Lattice& lattice = start.lattice;
+  if (options.division.by_sqrt3) found = found.divided_by_sqrt3(lattice);
+  found = found.divided(options.division.parts, lattice);
+  for (Eigen::Vector3d& p : found.positions) p = lattice.near(p, surface.nearest(p).position);
+  return found;
+}
+
+}  // namespace trivalent::remesh
