@@ -194,6 +194,7 @@ TEST(ReadSurface, TakesFormulasInACell) {
   expect_refusal("formula:7", "same everywhere");
   expect_refusal("formula:cos(x),cos(y)", "2 values");
   expect_refusal("formula:sqrt(x-1)", "must be finite");
+  expect_refusal("formula:cos(x)+cos(y)+cos(1.1*z)", "does not repeat along cell vector 3");
   expect_refusal("schwarz-p", "belong to mesh files and formulas");
   cell.lattice = remesh::Lattice(parse_cell("1.5"), {false, false, false});
   cell.level = 1.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sources/implicit_surface.h"
 #include "trivalent/remesh/error.h"
@@ -26,10 +27,10 @@ double finite_value(const ScalarField& field, const Eigen::Vector3d& p) {
                            p.z(), "); it must be finite in the whole cell"));
 }
 
-/// Root mean square of the gradient at points spread over the cell.
-double typical_slope(const ScalarField& field, const Lattice& lattice, double step) {
+/// Points spread over the cell.
+std::vector<Eigen::Vector3d> sample_points(const Lattice& lattice) {
   constexpr int across = 9;
-  double sum = 0.0;
+  std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < across * across * across; ++i) {
     const Eigen::Vector3d fractions(i % across, i / across % across, i / (across * across));
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -37,10 +38,40 @@ double typical_slope(const ScalarField& field, const Lattice& lattice, double st
       const double shift = lattice.periodic()[static_cast<std::size_t>(k)] ? 0.0 : 0.5;
       p += ((fractions[k] + 0.5) / across - shift) * lattice.cell().col(k);
     }
-    static_cast<void>(finite_value(field, p));
-    sum += gradient(field, p, step).squaredNorm();
+    points.push_back(p);
   }
-  return std::sqrt(sum / (across * across * across));
+  return points;
+}
+
+/// @throws InvalidMesh unless the function is the same one cell vector further.
+void check_repeats(const ScalarField& field, const Lattice& lattice,
+                   const std::vector<Eigen::Vector3d>& points) {
+  std::vector<double> values;
+  for (const Eigen::Vector3d& p : points) values.push_back(finite_value(field, p));
+  const auto [low, high] = std::ranges::minmax_element(values);
+  // A cell typed with three digits passes.
+  const double tolerance = 0.01 * (*high - *low);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!lattice.periodic()[k]) continue;
+      const Eigen::Vector3d& p = points[i];
+      const double further =
+          finite_value(field, p + lattice.cell().col(static_cast<Eigen::Index>(k)));
+      if (std::abs(further - values[i]) <= tolerance) continue;
+      throw InvalidMesh(concat("level_set: the function does not repeat along cell vector ", k + 1,
+                               ": at (", p.x(), ", ", p.y(), ", ", p.z(), ") it is ", values[i],
+                               ", one vector further ", further,
+                               "; give the cell in which it repeats"));
+    }
+  }
+}
+
+/// Root mean square of the gradient.
+double typical_slope(const ScalarField& field, const std::vector<Eigen::Vector3d>& points,
+                     double step) {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& p : points) sum += gradient(field, p, step).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
 }  // namespace
@@ -50,7 +81,9 @@ TriMesh level_set(const ScalarField& field, double level, const Lattice& lattice
   const double step = 1e-3 * edge_length;
   // Where the function is flat, a step along the gradient would lead anywhere.
   constexpr double flat = 0.2;
-  const double min_slope = flat * typical_slope(field, lattice, step);
+  const std::vector<Eigen::Vector3d> points = sample_points(lattice);
+  check_repeats(field, lattice, points);
+  const double min_slope = flat * typical_slope(field, points, step);
   if (!(min_slope > 0.0)) {
     throw InvalidMesh("level_set: the function is the same everywhere; there is no surface");
   }

@@ -38,12 +38,11 @@ using ScalarField = std::function<double(const Eigen::Vector3d&)>;
 /// Triangulates the surface on which a smooth function has a value; it is lower inside.
 ///
 /// @param lattice      Under which the function repeats. If nothing is periodic, the surface must
-/// be
-///   closed within the box of the cell vectors around the origin.
+///   be closed within the box of the cell vectors around the origin.
 /// @param edge_length  Mean edge length of the triangles, > 0; well below all features of the
-/// surface.
-/// @throws InvalidMesh if there is no such surface, a value is not finite, the surface leaves the
-///   box, or it touches itself.
+///   surface.
+/// @throws InvalidMesh if there is no such surface, a value is not finite, the function does not
+///   repeat, the surface leaves the box, or it touches itself.
 [[nodiscard]] TriMesh level_set(const ScalarField& field, double level, const Lattice& lattice,
                                 double edge_length);
 
