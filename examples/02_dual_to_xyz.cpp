@@ -17,6 +17,7 @@ int run() {
   dual::ShellOptions options;
   options.size = dual::AtomCount{2000};  // or LongestSide{50.0}, or Scale{12.0}
   options.bond = 1.42;                   // [Å]
+  options.method = trivalent::remesh::CrystalOptions{.effort = trivalent::remesh::Effort::quick};
   dual::Structure shell = dual::build_shell(torus, options).structure;
   shell.columns = dual::network_columns(shell);
 

@@ -17,7 +17,7 @@ class BuildCommand : public ProgramTest {
 };
 
 TEST_F(BuildCommand, GoesTheWholeWay) {
-  const Outcome run = succeed("build sphere -o out --atoms 1000 --json");
+  const Outcome run = succeed("build sphere -o out --atoms 1000 --effort quick --json");
   for (const std::string name :
        {"surface.off", "shell.extxyz", "shell.data", "in.check", "energy.ply", "report.json"}) {
     EXPECT_TRUE(has("out/" + name)) << name;
@@ -72,13 +72,13 @@ TEST_F(BuildCommand, LowersTheEnergyOfARealMesh) {
 }
 
 TEST_F(BuildCommand, RelaxesTheShellUnlessToldNotTo) {
-  succeed("build sphere -o out --atoms 500");
+  succeed("build sphere -o out --atoms 500 --effort quick");
   const auto energy = report("out")["energy"];
   EXPECT_LT(energy["after"]["energy"], energy["unrelaxed"]["energy"]);
   EXPECT_TRUE(report("out")["relaxation"]["converged"].get<bool>());
   EXPECT_NE(content("out/shell.extxyz").find("displacement:R:3"), std::string::npos);
 
-  succeed("build sphere -o raw --atoms 500 --no-relax");
+  succeed("build sphere -o raw --atoms 500 --effort quick --no-relax");
   EXPECT_FALSE(report("raw").contains("relaxation"));
   EXPECT_EQ(report("raw")["energy"]["after"], energy["unrelaxed"]);
   EXPECT_NEAR(report("raw")["network"]["bond_length"]["mean"].get<double>(), 1.42, 1e-9);
@@ -123,7 +123,8 @@ TEST_F(BuildCommand, SaysWhyWallsDoNotFit) {
   EXPECT_FALSE(has("out"));
   for (const std::string options : {"--inwards --outwards", "--walls 0", "--walls 3 --spacing -1",
                                     "--potential lj", "--follow -0.1", "--follow often"}) {
-    EXPECT_NE(trivalent("build sphere -o out --atoms 200 " + options).exit_code, 0) << options;
+    EXPECT_NE(trivalent("build sphere -o out --atoms 200 --effort quick " + options).exit_code, 0)
+        << options;
     EXPECT_FALSE(has("out")) << options;
   }
 }
@@ -169,8 +170,8 @@ TEST_F(BuildCommand, RefusesAShellWithAtomsOnTopOfEachOther) {
 }
 
 TEST_F(BuildCommand, MeetsALengthOrAScale) {
-  succeed("build torus:R=3,r=1.2 -o a --length 40");
-  succeed("build torus:R=3,r=1.2 -o b --scale 5 --bond 1.45");
+  succeed("build torus:R=3,r=1.2 -o a --length 40 --effort quick");
+  succeed("build torus:R=3,r=1.2 -o b --scale 5 --bond 1.45 --effort quick");
   EXPECT_NEAR(report("a")["scale"].get<double>(), 40.0 / 8.4, 0.05);
   EXPECT_EQ(report("b")["scale"], 5.0);
   EXPECT_NEAR(report("b")["network"]["bond_length"]["mean"].get<double>(), 1.45, 0.03 * 1.45);
@@ -287,14 +288,14 @@ TEST_F(BuildCommand, RefusesWhatMakesNoSense) {
 TEST_F(BuildCommand, LeavesNoPartsOnAFullDisk) {
   std::filesystem::create_directories(folder() / "out");
   std::filesystem::create_symlink("/dev/full", folder() / "out/shell.extxyz");
-  expect_failure(1, "shell.extxyz", "build sphere -o out --atoms 500 --quiet");
+  expect_failure(1, "shell.extxyz", "build sphere -o out --atoms 500 --effort quick --quiet");
   EXPECT_FALSE(has("out/report.json"));
 }
 
 #ifdef TRIVALENT_LMP
 TEST_F(BuildCommand, WritesFilesThatLammpsRunsAtFirstTry) {
   for (const std::string style : {"atomic", "molecular"}) {
-    succeed("build capsule -o " + style + " --atoms 800 --atom-style " + style);
+    succeed("build capsule -o " + style + " --atoms 800 --effort quick --atom-style " + style);
     const Outcome run = shell("cd " + style + " && " TRIVALENT_LMP " -in in.check");
     EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
     EXPECT_NE(run.out.find("\npassed\n"), std::string::npos) << run.out;
@@ -309,7 +310,7 @@ TEST_F(BuildCommand, WritesFilesThatLammpsRunsAtFirstTry) {
 }
 
 TEST_F(BuildCommand, WritesACheckThatNoticesAnotherEnergy) {
-  succeed("build sphere -o out --atoms 300");
+  succeed("build sphere -o out --atoms 300 --effort quick");
   ASSERT_EQ(shell("sed -i 's/^20 1 .*/20 1 0.0 0.0 0.0/' out/shell.data").exit_code, 0);
   EXPECT_EQ(shell("cd out && " TRIVALENT_LMP " -in in.check").exit_code, 1);
 }
@@ -317,7 +318,7 @@ TEST_F(BuildCommand, WritesACheckThatNoticesAnotherEnergy) {
 
 #ifdef TRIVALENT_ASE
 TEST_F(BuildCommand, WritesFilesThatAseReadsBack) {
-  succeed("build torus:R=3,r=1 -o out --atoms 600");
+  succeed("build torus:R=3,r=1 -o out --atoms 600 --effort quick");
   const Outcome run = shell(TRIVALENT_ASE " out");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
 }

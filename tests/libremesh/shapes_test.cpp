@@ -215,7 +215,7 @@ TEST(Networks, HaveTheGenusOfTheirGraph) {
   };
   for (const Known& known : {Known{"cubic-network", -4}, Known{"diamond-network", -16},
                              Known{"honeycomb-network", -2}}) {
-    const TriMesh mesh = make_shape(known.name, {}, 0.3);
+    const TriMesh mesh = make_shape(known.name, {}, 0.4);
     EXPECT_EQ(measure_quality(mesh).euler_characteristic, known.euler_characteristic) << known.name;
     EXPECT_EQ(measure_quality(mesh).components, 1) << known.name;
     EXPECT_TRUE(mesh.lattice.is_periodic()) << known.name;

@@ -1,7 +1,6 @@
 #include "crystal/cell_net.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "mesh/geometry.h"
@@ -33,9 +32,10 @@ CellNet::CellNet(std::vector<Eigen::Vector3d> positions_of_vertices,
 
 CellNet CellNet::of(const TriMesh& mesh) {
   std::vector<Triangle> triangles;
+  triangles.reserve(mesh.n_faces());
   for (const auto f : mesh.faces()) {
     const auto h = f.halfedge();
-    const VertexHandle a = h.from();
+    const VertexHandle a(h.from().idx());
     Triangle corners = {{{a.idx()}, {h.to().idx()}, {h.next().to().idx()}}};
     for (Corner& corner : corners) {
       const VertexHandle v(corner.vertex);
@@ -76,6 +76,7 @@ CellNet::Triangle CellNet::triangle(int t) const {
 
 bool CellNet::is_simplicial() const {
   std::vector<std::pair<int, int>> ends;
+  ends.reserve(halfedges_.size());
   for (int h = 0; h < n_halfedges(); ++h) ends.emplace_back(from(h), to(h));
   std::ranges::sort(ends);
   return std::ranges::adjacent_find(ends) == ends.end();
@@ -127,28 +128,25 @@ bool CellNet::flip(int h) {
 }
 
 void CellNet::remove(int vertex) {
-  std::vector<Triangle> triangles;
-  std::optional<Triangle> around;
+  int out = 0;  // a half-edge from the vertex
+  while (from(out) != vertex) ++out;
+  // Its three neighbors, one of which is behind the opposite half-edge.
+  const int to_third = next(opposite(out));
+  std::vector<Triangle> triangles = {
+      {{{to(out), image(out)}, apex(out), {to(to_third), image(to_third)}}}};
+  for (int t = 0; t < n_halfedges() / 3; ++t) {
+    const Triangle corners = triangle(t);
+    if (std::ranges::find(corners, vertex, &Corner::vertex) == corners.end()) {
+      triangles.push_back(corners);
+    }
+  }
+  // The last vertex takes its number.
   const int last = n_vertices() - 1;
-  const auto renumbered = [&](Triangle corners) {
+  for (Triangle& corners : triangles) {
     for (Corner& corner : corners) {
       if (corner.vertex == last) corner.vertex = vertex;
     }
-    return corners;
-  };
-  for (int t = 0; t < n_halfedges() / 3; ++t) {
-    const int h = 3 * t;
-    int out = -1;  // the half-edge from the vertex
-    for (int k = h; k < h + 3; ++k) {
-      if (from(k) == vertex) out = k;
-    }
-    if (out < 0) triangles.push_back(renumbered(triangle(t)));
-    if (out < 0 || around) continue;
-    // Its neighbors a, b and c, one of which is behind the opposite half-edge.
-    const int to_c = next(opposite(out));
-    around = {{{to(out), image(out)}, apex(out), {to(to_c), image(to_c)}}};
   }
-  triangles.push_back(renumbered(*around));
   positions[index(vertex)] = positions.back();
   positions.pop_back();
   *this = CellNet(std::move(positions), triangles);
@@ -180,6 +178,7 @@ CellNet CellNet::divided_by_sqrt3(const Lattice& lattice) const {
     return Corner{n_vertices() + h / 3, start};
   };
   std::vector<Triangle> triangles;
+  triangles.reserve(halfedges_.size());
   for (int h = 0; h < n_halfedges(); ++h) {
     triangles.push_back({{{from(h)}, center(opposite(h), image(h)), center(h, {0, 0, 0})}});
   }
@@ -215,46 +214,74 @@ class TriangleGrid {
   std::vector<CellNet::Corner> points_;
 };
 
+/// Divides the edges of a net into parts, and its triangles.
+class EdgeDivision {
+ public:
+  EdgeDivision(const CellNet& net, int parts, const Lattice& lattice)
+      : net_(net), parts_(parts), lattice_(lattice), points_(net.positions) {}
+
+  [[nodiscard]] CellNet run() {
+    divide_edges();
+    for (int t = 0; t < net_.n_halfedges() / 3; ++t) divide_triangle(t);
+    return {std::move(points_), triangles_};
+  }
+
+ private:
+  /// The first of two half-edges owns the points between; their images are as its beginning's.
+  [[nodiscard]] bool is_owner(int h) const { return h < net_.opposite(h); }
+
+  void divide_edges() {
+    first_on_edge_.assign(index(net_.n_halfedges()), -1);
+    for (int h = 0; h < net_.n_halfedges(); ++h) {
+      if (!is_owner(h)) continue;
+      first_on_edge_[index(h)] = static_cast<int>(points_.size());
+      const Eigen::Vector3d edge = net_.edge_vector(h, lattice_);
+      for (int part = 1; part < parts_; ++part) {
+        points_.emplace_back(net_.positions[index(net_.from(h))] + part * edge / parts_);
+      }
+    }
+  }
+
+  void divide_triangle(int t) {
+    TriangleGrid grid(parts_);
+    for (int k = 0; k < 3; ++k) put_side(t, k, grid);
+    const Eigen::Vector3d origin = net_.positions[index(net_.from(3 * t))];
+    const Eigen::Vector3d u = net_.edge_vector(3 * t, lattice_) / parts_;
+    const Eigen::Vector3d v = -net_.edge_vector(3 * t + 2, lattice_) / parts_;
+    for (int i = 1; i < parts_; ++i) {
+      for (int j = 1; i + j < parts_; ++j) {
+        grid.at(i, j) = {static_cast<int>(points_.size()), {0, 0, 0}};
+        points_.emplace_back(origin + i * u + j * v);
+      }
+    }
+    grid.append_triangles(triangles_);
+  }
+
+  /// The corner k of a triangle and the points between it and the next.
+  void put_side(int t, int k, TriangleGrid& grid) const {
+    const CellNet::Triangle corners = net_.triangle(t);
+    grid.on_side(k, 0) = corners[index(k)];
+    const int h = 3 * t + k;
+    const int owner = is_owner(h) ? h : net_.opposite(h);
+    const CellNet::Image& start = corners[index(is_owner(h) ? k : (k + 1) % 3)].image;
+    for (int part = 1; part < parts_; ++part) {
+      const int along_owner = is_owner(h) ? part : parts_ - part;
+      grid.on_side(k, part) = {first_on_edge_[index(owner)] + along_owner - 1, start};
+    }
+  }
+
+  const CellNet& net_;
+  int parts_;
+  const Lattice& lattice_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<int> first_on_edge_;
+  std::vector<CellNet::Triangle> triangles_;
+};
+
 }  // namespace
 
 CellNet CellNet::divided(int parts, const Lattice& lattice) const {
-  std::vector<Eigen::Vector3d> points = positions;
-  // The first of two half-edges owns the points between; their images are as its beginning's.
-  std::vector<int> first_on_edge(halfedges_.size(), -1);
-  for (int h = 0; h < n_halfedges(); ++h) {
-    if (opposite(h) < h) continue;
-    first_on_edge[index(h)] = static_cast<int>(points.size());
-    const Eigen::Vector3d edge = edge_vector(h, lattice);
-    for (int part = 1; part < parts; ++part) {
-      points.emplace_back(positions[index(from(h))] + part * edge / parts);
-    }
-  }
-  std::vector<Triangle> triangles;
-  for (int t = 0; t < n_halfedges() / 3; ++t) {
-    const Triangle corners = triangle(t);
-    TriangleGrid grid(parts);
-    for (int k = 0; k < 3; ++k) {
-      grid.on_side(k, 0) = corners[index(k)];
-      const int h = 3 * t + k;
-      const bool is_owner = h < opposite(h);
-      const int first = first_on_edge[index(is_owner ? h : opposite(h))];
-      const Image& start = corners[index(is_owner ? k : (k + 1) % 3)].image;
-      for (int part = 1; part < parts; ++part) {
-        grid.on_side(k, part) = {first + (is_owner ? part : parts - part) - 1, start};
-      }
-    }
-    const Eigen::Vector3d origin = position(corners[0], lattice);
-    const Eigen::Vector3d u = (position(corners[1], lattice) - origin) / parts;
-    const Eigen::Vector3d v = (position(corners[2], lattice) - origin) / parts;
-    for (int i = 1; i < parts; ++i) {
-      for (int j = 1; i + j < parts; ++j) {
-        grid.at(i, j) = {static_cast<int>(points.size()), {0, 0, 0}};
-        points.emplace_back(origin + i * u + j * v);
-      }
-    }
-    grid.append_triangles(triangles);
-  }
-  return {std::move(points), triangles};
+  return EdgeDivision(*this, parts, lattice).run();
 }
 
 }  // namespace trivalent::remesh

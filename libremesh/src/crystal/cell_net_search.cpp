@@ -71,11 +71,11 @@ struct RelaxLimits {
 class CellNetRun {
  public:
   CellNetRun(const CellNet& start, const Lattice& lattice, const SurfaceProjector& surface,
-             const CellNetOptions& options, std::uint64_t seed)
+             const CellNetOptions& options)
       : net_(start),
         surface_(&surface),
-        options_(&options),
-        seed_(seed),
+        options_(options),
+        seed_(options.seed),
         // In the unit of the carbon that the energy is of: edges of the divided net have m.
         scale_(parts_of_carbon / std::sqrt(options.division.triangles_each())),
         lattice_(lattice.scaled(scale_)) {
@@ -92,7 +92,7 @@ class CellNetRun {
     flip_to_shorter_edges();
     spread(first_steps);
     const int most_tries = 20 * net_.n_vertices();
-    for (int k = 0; k < most_tries && net_.n_vertices() > options_->division.base_vertices; ++k) {
+    for (int k = 0; k < most_tries && net_.n_vertices() > options_.division.base_vertices; ++k) {
       const int v = net_.from(shortest_edge());
       // Its edges go, those with the shortest other diagonal first.
       while (net_.valence(v) > 3 && flip_one_away(v)) {
@@ -110,7 +110,7 @@ class CellNetRun {
     const int n_trials = trials_per_edge * net_.n_halfedges() / 2;
     const auto last = static_cast<int>(end * n_trials);
     for (auto k = static_cast<int>(begin * n_trials); k < last; ++k) {
-      if (options_->should_stop && options_->should_stop()) return;
+      if (options_.should_stop && options_.should_stop()) return;
       CellNet trial = net_;
       if (!trial.flip(random_below(net_.n_halfedges()))) continue;
       const double temperature = hot * std::pow(cold / hot, static_cast<double>(k) / n_trials);
@@ -243,7 +243,7 @@ class CellNetRun {
   void spread(int steps) {
     Membrane membrane;
     const int faces = net_.n_halfedges() / 3;
-    const int base_faces = faces - 2 * (net_.n_vertices() - options_->division.base_vertices);
+    const int base_faces = faces - 2 * (net_.n_vertices() - options_.division.base_vertices);
     membrane.length = parts_of_carbon * Membrane::fine_length *
                       std::sqrt(static_cast<double>(base_faces) / static_cast<double>(faces));
     relax(net_, membrane, holds_of(net_, tether_of_thinning), {steps});
@@ -265,7 +265,7 @@ class CellNetRun {
   double energy_ = 0.0;  // [eV]
   double best_energy_ = std::numeric_limits<double>::infinity();
   const SurfaceProjector* surface_;
-  const CellNetOptions* options_;
+  CellNetOptions options_;
   std::uint64_t seed_;
   double scale_;
   Lattice lattice_;
@@ -276,43 +276,58 @@ class CellNetRun {
 
 }  // namespace
 
-std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
-  // Fewer leave no room for curvature, more are not ordered in these times.
+namespace {
+
+/// A division and how many triangles more or fewer than wanted it gives.
+struct NumberedDivision {
+  CellDivision division;
+  int deviation;
+};
+
+/// None if the base net would have too few vertices for the curvature, or too many to be ordered.
+std::optional<NumberedDivision> division_to(int wanted_faces, int euler, CellDivision division) {
   const int min_base_vertices = -5 * euler;
   constexpr int max_base_vertices = 32;
+  const int each = division.triangles_each();
+  const int base_faces = 2 * static_cast<int>(std::lround(0.5 * wanted_faces / each));
+  division.base_vertices = euler + base_faces / 2;
+  if (each == 1 || division.base_vertices < min_base_vertices ||
+      division.base_vertices > max_base_vertices) {
+    return std::nullopt;
+  }
+  return NumberedDivision{division, std::abs(base_faces * each - wanted_faces)};
+}
+
+}  // namespace
+
+std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
   constexpr double max_deviation = 0.01;
   constexpr int max_parts = 9;
   const int wanted_faces = 2 * (wanted_vertices - euler);
-  std::optional<CellDivision> best;
-  int least = static_cast<int>(max_deviation * wanted_faces) + 1;
+  std::optional<NumberedDivision> best;
+  const auto rank = [](const NumberedDivision& d) {
+    return std::pair(d.deviation, d.division.base_vertices);
+  };
   for (int parts = 1; parts <= max_parts; ++parts) {
     for (const bool by_sqrt3 : {true, false}) {
-      CellDivision division = {.base_vertices = 0, .parts = parts, .by_sqrt3 = by_sqrt3};
-      const int each = division.triangles_each();
-      if (each < 3) continue;
-      const int base_faces = 2 * static_cast<int>(std::lround(0.5 * wanted_faces / each));
-      division.base_vertices = euler + base_faces / 2;
-      if (division.base_vertices < min_base_vertices ||
-          division.base_vertices > max_base_vertices) {
-        continue;
-      }
-      const int deviation = std::abs(base_faces * each - wanted_faces);
-      const bool is_smaller = best && division.base_vertices < best->base_vertices;
-      if (deviation > least || (deviation == least && best && !is_smaller)) continue;
-      least = deviation;
-      best = division;
+      const auto next = division_to(wanted_faces, euler, {0, parts, by_sqrt3});
+      if (!next || next->deviation > max_deviation * wanted_faces) continue;
+      if (!best || rank(*next) < rank(*best)) best = next;
     }
   }
-  return best;
+  if (!best) return std::nullopt;
+  return best->division;
 }
 
 CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
                         const CellNetOptions& options) {
   const CellNet net = CellNet::of(start);
   std::vector<CellNetRun> runs;
+  runs.reserve(index(options.runs));
+  CellNetOptions own = options;
   for (int k = 0; k < options.runs; ++k) {
-    runs.emplace_back(net, start.lattice, surface, options,
-                      hashed(options.seed, static_cast<std::uint64_t>(k)));
+    own.seed = hashed(options.seed, static_cast<std::uint64_t>(k));
+    runs.emplace_back(net, start.lattice, surface, own);
   }
   const auto for_each_run = [&](std::size_t count, const auto& work) {
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {

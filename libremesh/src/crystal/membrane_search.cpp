@@ -269,15 +269,15 @@ class MembraneSearch {
 
   /// Anneals the first net, a small one several times, and keeps the order of least energy.
   void order(const Level& level) {
-    const auto [orders, schedule] =
+    const OrderPlan plan =
         plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
-    watch_.expect(orders * rounds_of(schedule));
+    watch_.expect(plan.orders * rounds_of(plan.schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
     struct Order {
       double energy = std::numeric_limits<double>::infinity();
       ConstrainedMesh::State state;
     };
-    std::vector<Order> found(static_cast<std::size_t>(orders));
+    std::vector<Order> found(index(plan.orders));
     const auto find = [&](std::size_t k) {
       if (watch_.stopped()) return;
       Net net(surface_, creases_);
@@ -285,7 +285,7 @@ class MembraneSearch {
       // The odd constant keeps the orders of small seeds apart.
       const std::uint64_t seed =
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
-      Schedule own = schedule;
+      Schedule own = plan.schedule;
       if (k % 2 == 1) own.hot = level.molten;
       found[k].energy = anneal(net, membrane_at(level),
                                {.schedule = own, .wanted = wanted_vertices(level), .seed = seed});
@@ -352,8 +352,10 @@ class MembraneSearch {
   void divide() {
     TriMesh& mesh = net_.mesh;
     std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
+    positions.reserve(mesh.n_vertices() + mesh.n_edges());
     for (const auto e : mesh.edges()) {
-      positions.push_back(midpoint(mesh, e.v0(), e.v1()));
+      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+      positions.push_back(midpoint(mesh, mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)));
     }
     net_.on_surface.subdivide();
     for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];

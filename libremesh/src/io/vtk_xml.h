@@ -50,8 +50,8 @@ class VtkXmlFile {
   std::string take(const pugi::xml_node& array, Stream& stream, std::uint64_t size) const;
   std::string take_base64(const pugi::xml_node& array, Stream& stream, std::uint64_t size) const;
   [[nodiscard]] std::uint64_t header_word(std::string_view header, std::size_t i) const;
-  std::string plain_bytes(const pugi::xml_node& array, Stream stream) const;
-  std::string unpacked_bytes(const pugi::xml_node& array, Stream stream) const;
+  [[nodiscard]] std::string plain_bytes(const pugi::xml_node& array, Stream stream) const;
+  [[nodiscard]] std::string unpacked_bytes(const pugi::xml_node& array, Stream stream) const;
   void unpack(const pugi::xml_node& array, const Block& block, std::string& bytes) const;
   [[nodiscard]] Stream stream_of(const pugi::xml_node& array, std::string_view format) const;
   [[nodiscard]] std::vector<double> numbers_of_text(const pugi::xml_node& array) const;

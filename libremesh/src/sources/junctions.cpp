@@ -36,13 +36,16 @@ class JoinedTubes {
       : segments_(std::move(segments)), radius_(radius), blend_(0.25 * neck) {}
 
   double operator()(const Eigen::Vector3d& p) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Segment& segment : segments_) {
-      nearest = std::min(nearest, distance_to(segment, p));
-    }
+    // Of the hundreds of tubes in a lattice few are near enough to count.
+    constexpr double negligible = -50.0;  // exp() of it
+    thread_local std::vector<double> distances;
+    distances.clear();
+    for (const Segment& segment : segments_) distances.push_back(distance_to(segment, p));
+    const double nearest = *std::ranges::min_element(distances);
     double sum = 0.0;
-    for (const Segment& segment : segments_) {
-      sum += std::exp((nearest - distance_to(segment, p)) / blend_);
+    for (const double distance : distances) {
+      const double exponent = (nearest - distance) / blend_;
+      if (exponent > negligible) sum += std::exp(exponent);
     }
     return nearest - blend_ * std::log(sum) - radius_;
   }

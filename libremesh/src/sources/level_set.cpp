@@ -32,7 +32,8 @@ std::vector<Eigen::Vector3d> sample_points(const Lattice& lattice) {
   constexpr int across = 9;
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < across * across * across; ++i) {
-    const Eigen::Vector3d fractions(i % across, i / across % across, i / (across * across));
+    const Eigen::Vector3i place(i % across, i / across % across, i / (across * across));
+    const Eigen::Vector3d fractions = place.cast<double>();
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double shift = lattice.periodic()[static_cast<std::size_t>(k)] ? 0.0 : 0.5;
@@ -47,6 +48,7 @@ std::vector<Eigen::Vector3d> sample_points(const Lattice& lattice) {
 void check_repeats(const ScalarField& field, const Lattice& lattice,
                    const std::vector<Eigen::Vector3d>& points) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const Eigen::Vector3d& p : points) values.push_back(finite_value(field, p));
   const auto [low, high] = std::ranges::minmax_element(values);
   // A cell typed with three digits passes.

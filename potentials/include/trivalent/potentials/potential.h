@@ -14,6 +14,8 @@ class Potential {
   Potential() = default;
   Potential(const Potential&) = delete;
   Potential& operator=(const Potential&) = delete;
+  Potential(Potential&&) = delete;
+  Potential& operator=(Potential&&) = delete;
   virtual ~Potential() = default;
 
   /// Energies, forces and virial of the atoms. Box, species and number of atoms may change from
