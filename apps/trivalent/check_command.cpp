@@ -27,7 +27,8 @@ Grammar grammar_of_check() {
   add_structure_options(grammar.options);
   grammar.epilog =
       "FILE is extended XYZ, LAMMPS data or a mesh, whose dual is meant. Atoms are bonded if they\n"
-      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). Exit code 1 if something is "
+      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). The potential is that which the\n"
+      "file names, else REBO. Exit code 1 if something is "
       "wrong:\n"
       "an atom without its three bonds, a bond outside 1.25 to 1.75 Å, an angle outside 85° to "
       "155°,\n"
@@ -51,6 +52,18 @@ shell::CertifyOptions certify_options(const Session& session) {
   return options;
 }
 
+/// The options with the potential that the file names, unless the command line names one.
+shell::CertifyOptions with_potential_of(const dual::Structure& structure,
+                                        shell::CertifyOptions options, const Session& session) {
+  if (!session.values["potential"].defaulted() || options.potential.pair_style) return options;
+  const auto named = shell::named_potential(structure);
+  if (!named) return options;
+  session.terminal.notes({"potential " + named->name + ", as the file says"});
+  options.potential = *named;
+  if (options.lammps) options.lammps = lammps_options(session, options.potential);
+  return options;
+}
+
 int run_check(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_check());
   if (!session) return done;
@@ -62,8 +75,9 @@ int run_check(const Command& self, std::span<const std::string> arguments) {
   Result printed = {.table = {}, .json = {{"sound", true}, {"files", Json::array()}}};
   bool is_sound = true;
   for (const auto& file : session->get<std::vector<std::string>>("FILE")) {
+    const dual::Structure structure = read_structure(file, reading, session->terminal);
     const shell::Certificate certificate =
-        shell::certify(read_structure(file, reading, session->terminal), options);
+        shell::certify(structure, with_potential_of(structure, options, *session));
     is_sound = is_sound && certificate.is_sound();
     printed.table.push_back({file});
     shell::append(printed.table, certificate.rows());

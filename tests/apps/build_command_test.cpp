@@ -113,7 +113,9 @@ TEST_F(BuildCommand, MakesSeveralWalls) {
   EXPECT_NE(content("out/shell.extxyz").find(":wall:I:1"), std::string::npos);
   EXPECT_NE(content("out/in.check").find("airebo 3.0 1 1"), std::string::npos);
   EXPECT_NE(content("out/report.html").find("\"wall\""), std::string::npos);
-  const auto check = succeed("check out/shell.extxyz --potential airebo --json").json();
+  EXPECT_NE(content("out/shell.extxyz").find(" potential=\"airebo\""), std::string::npos);
+  const auto check = succeed("check out/shell.extxyz --json").json();
+  EXPECT_EQ(check["files"][0]["potential"], "airebo");
   EXPECT_EQ(check["files"][0]["walls"]["count"], 3);
   EXPECT_EQ(check["sound"], true);
 }

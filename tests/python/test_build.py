@@ -209,6 +209,9 @@ def test_arrays_of_one_cell_are_joined() -> None:
 def test_walls_are_one_shell() -> None:
     shell = trivalent.build("sphere", walls=3, atoms=900, effort="quick")
     assert shell.report["energy"]["potential"] == "airebo"
+    assert shell.header["potential"] == "airebo"
+    assert trivalent.check(shell)["potential"] == "airebo"
+    assert trivalent.check(shell, potential="rebo")["potential"] == "rebo"
     walls = shell.columns["wall"]
     assert sorted(set(walls)) == [0, 1, 2]
     # No bond leads from one to another.

@@ -321,7 +321,7 @@ def relax(
 def check(
     shell: ShellLike,
     *,
-    potential: _Potential = "rebo",
+    potential: _Potential | None = None,
     max_force: float | None = None,
     open: bool = False,
     surface: SurfaceLike | None = None,
@@ -336,6 +336,7 @@ def check(
 ) -> dict[str, Any]:
     """Certifies a shell: topology, bonds [Å], angles [degree], energies [eV], forces [eV/Å]. "sound" says it in a word.
 
+    potential: None is what the shell's header names, else REBO
     max_force: atoms are at rest if none has a larger force [eV/Å], 0.01; inf: not looked at
     open: the shell has an edge: atoms with two bonds are meant
     surface: a surface in Å, from which the distances of the atoms are measured

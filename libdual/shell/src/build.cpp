@@ -329,6 +329,7 @@ dual::Structure BuildResult::structure() const {
   }
   structure.columns.push_back({.name = "component", .values = components.of_face});
   dual::add_energies(structure, energy);
+  set_potential(structure, potential.title());
   if (unrelaxed) dual::add_displacements(structure, unrelaxed->structure.atoms.positions);
   return structure;
 }

@@ -59,6 +59,7 @@ dual::Structure Evaluation::structure() const {
   dual::Structure structure = state.structure;
   dual::replace_columns(structure, dual::network_columns(structure));
   dual::add_energies(structure, energy);
+  set_potential(structure, potential);
   if (bonds == BondSource::distance) structure.bonds.clear();
   if (forces == ForceReport::none) {
     std::erase_if(structure.columns,

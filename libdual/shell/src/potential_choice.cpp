@@ -17,6 +17,8 @@ namespace {
 
 using PotentialPointer = std::unique_ptr<potentials::Potential>;
 
+const std::string potential_key = "potential";  // in headers of extended XYZ
+
 // A new potential is a row here.
 constexpr std::array potentials_by_name = {
     KnownPotential{.name = "rebo",
@@ -107,5 +109,23 @@ double usual_bond_length(const PotentialChoice& choice) {
 }
 
 bool is_rebo(const PotentialChoice& choice) { return choice.title() == "rebo"; }
+
+void set_potential(dual::Structure& structure, const std::string& title) {
+  std::erase_if(structure.header,
+                [](const dual::HeaderEntry& entry) { return entry.key == potential_key; });
+  if (title == PotentialChoice().name) return;
+  structure.header.push_back({.key = potential_key, .value = title});
+}
+
+std::optional<PotentialChoice> named_potential(const dual::Structure& structure) {
+  const auto entry = std::ranges::find(structure.header, potential_key, &dual::HeaderEntry::key);
+  if (entry == structure.header.end()) return std::nullopt;
+  const auto* const name = std::get_if<std::string>(&entry->value);
+  if (name == nullptr) return std::nullopt;
+  const auto known = std::ranges::find(potentials_by_name, *name, &KnownPotential::name);
+  // Lennard-Jones, which LAMMPS is not asked for, has parameters.
+  if (known == potentials_by_name.end() || !known->lammps) return std::nullopt;
+  return PotentialChoice{.name = *name};
+}
 
 }  // namespace trivalent::shell

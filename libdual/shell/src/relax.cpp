@@ -174,6 +174,7 @@ RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   structure.atoms = result.relaxed.atoms;
   update_network_columns(structure);
   dual::add_energies(structure, result.relaxed.result);
+  set_potential(structure, result.potential);
   dual::add_displacements(structure, before);
   result.structure = std::move(structure);
   return result;

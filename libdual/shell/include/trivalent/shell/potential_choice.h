@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "trivalent/dual/structure.h"
 #include "trivalent/formats/lammps_deck.h"
 #include "trivalent/potentials/lennard_jones.h"
 #include "trivalent/potentials/potential.h"
@@ -62,5 +63,14 @@ struct KnownPotential {
 
 /// Whether energies may be compared with those of graphene under REBO.
 [[nodiscard]] bool is_rebo(const PotentialChoice& choice);
+
+/// Says in the header entry `potential` what a structure's energies are of. REBO, which is taken
+/// where nothing is said, is not named.
+///
+/// @param title  PotentialChoice::title()
+void set_potential(dual::Structure& structure, const std::string& title);
+
+/// The potential that a structure's header names, if that says all about it: rebo or airebo.
+[[nodiscard]] std::optional<PotentialChoice> named_potential(const dual::Structure& structure);
 
 }  // namespace trivalent::shell
