@@ -301,7 +301,7 @@ std::optional<NumberedDivision> division_to(int wanted_faces, int euler, CellDiv
 }  // namespace
 
 std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
-  constexpr double max_deviation = 0.01;
+  constexpr double max_deviation = 0.003;  // others would win by chance only
   constexpr int max_parts = 9;
   const int wanted_faces = 2 * (wanted_vertices - euler);
   std::optional<NumberedDivision> best;

@@ -21,7 +21,7 @@ struct CellDivision {
 };
 
 /// The division that comes nearest to a number of vertices, from the fewest vertices among equals;
-/// none if all are too many, too few or too far from the number.
+/// none if all are too many or too few, or give a number that is off by more than 0.3 %.
 ///
 /// @param euler  Of the surface in the cell, < 0.
 [[nodiscard]] std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler);
