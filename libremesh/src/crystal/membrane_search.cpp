@@ -198,7 +198,7 @@ class MembraneSearch {
     return plan_cell_division(wanted_vertices(levels.back()), euler);
   }
 
-  /// Takes a net of a crystal's cell that comes from a few vertices, if its energy is lower.
+  /// Takes a net of a crystal's cell that comes from few vertices, if its energy is lower.
   void try_cell_nets() {
     const std::optional<CellDivision> division = cell_division();
     if (!division) return;
@@ -216,7 +216,8 @@ class MembraneSearch {
     const double before = settled_energy();
     const ConstrainedMesh::State other = net_.on_surface.state();
     net_.on_surface.restore(state_of(found));
-    if (watch_.stopped() || settled_energy() >= before) net_.on_surface.restore(other);
+    if (watch_.stopped() || settled_energy() >= before + favor_of_cell_nets)
+      net_.on_surface.restore(other);
   }
 
   /// Energy of the net at the target length, relaxed, cores and the count term included [eV].
