@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "crystal/defect_moves.h"
-#include "crystal/lbfgs.h"
-#include "crystal/membrane_preconditioner.h"
+#include "crystal/membrane_minimizer.h"
 #include "crystal/membrane_schedule.h"
-#include "crystal/vertex_images.h"
 
 namespace trivalent::remesh {
 
@@ -23,8 +21,8 @@ constexpr double cold = 0.5;  // [eV]
 constexpr int trials_per_edge = 130;
 /// Every edge of a base net is divided into so many parts for its energy.
 constexpr int parts_of_carbon = 2;
-/// [eV/Å²] that hold the vertices of a base net to the surface: 0.5 lets the net twist around the
-/// necks of P in 16 runs of 16, with 2 half of the runs find its octagons.
+/// [eV/Å²] that hold the vertices of a base net to the surface. With 0.5 none of 8 runs found the
+/// octagons of P: nets twist around the necks.
 constexpr double tether = 2.0;
 constexpr double tether_of_thinning = 20.0;
 /// Who finds the way to the best net of P does so in this part of the schedule.
@@ -156,48 +154,25 @@ class CellNetRun {
 
   /// Moves the vertices to the minimum of the energy, which is returned, cores included [eV].
   double relax(CellNet& net, const Membrane& membrane, const Holds& holds,
-               const RelaxLimits& effort) {
-    const std::size_t n = net.positions.size();
-    VertexImages images(n);
+               const RelaxLimits& limits) {
+    VertexImages images(net.positions.size());
     MembraneTerms<double> terms = terms_of(net, membrane, images);
     terms.tethers = holds;
-    std::vector<Lanes<double>> positions(n);
-    Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
-    for (std::size_t i = 0; i < n; ++i) {
-      positions[i] = lanes_of(net.positions[i]);
-      x.segment<4>(4 * static_cast<Eigen::Index>(i)) = positions[i];
-    }
-    images.place(lattice_, positions);
-    std::vector<Lanes<double>> slopes(positions.size());
-    const MembranePreconditioner<double> inverse(membrane, terms, positions, n, images);
-    const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
-      std::copy_n(at.data(), at.size(), positions[0].data());
-      images.place(lattice_, positions);
-      std::ranges::fill(slopes, Lanes<double>::Zero());
-      const double energy = membrane_energy(membrane, terms, positions, slopes);
-      images.collect(slopes);
-      std::copy_n(slopes[0].data(), at.size(), gradient.data());
-      return energy;
-    };
     const double cores = cores_of(net, membrane);
     constexpr double tolerance = 0.01;  // [eV]
     constexpr double of_prediction = 3.0;
-    const double energy = minimizer_.minimize(
-        x, {.max_steps = effort.steps, .max_move = 0.3 * membrane.length, .tolerance = tolerance},
-        evaluate, [&](Lbfgs<double>::Vector& v) { inverse.apply(v); },
-        [&](double reached, double predicted) {
-          return reached - of_prediction * predicted + cores > effort.limit;
-        });
-    for (std::size_t i = 0; i < n; ++i) {
-      net.positions[i] = x.segment<3>(4 * static_cast<Eigen::Index>(i));
-    }
+    const double energy =
+        minimize_membrane(minimizer_, {membrane, terms, images, lattice_}, net.positions,
+                          {limits.steps, tolerance}, [&](double reached, double predicted) {
+                            return reached - of_prediction * predicted + cores > limits.limit;
+                          });
     return energy + cores;
   }
 
   /// Energy of a base net as carbon; its vertices move with those of the divided net.
-  double energy_of(CellNet& base, const RelaxLimits& effort) {
+  double energy_of(CellNet& base, const RelaxLimits& limits) {
     CellNet fine = base.divided(parts_of_carbon, lattice_);
-    const double energy = relax(fine, carbon_, holds_, effort);
+    const double energy = relax(fine, carbon_, holds_, limits);
     std::copy_n(fine.positions.begin(), base.positions.size(), base.positions.begin());
     return energy;
   }
@@ -319,6 +294,13 @@ std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
   return best->division;
 }
 
+std::optional<CellDivision> plan_cell_division(const TriMesh& surface, int wanted_vertices) {
+  const int euler = euler_characteristic(surface);
+  const bool is_crystal = surface.lattice.periodic() == Lattice::Periodic{true, true, true};
+  if (!is_crystal || euler >= 0) return std::nullopt;
+  return plan_cell_division(wanted_vertices, euler);
+}
+
 CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
                         const CellNetOptions& options) {
   const CellNet net = CellNet::of(start);
@@ -348,6 +330,18 @@ CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
   found = found.divided(options.division.parts, lattice);
   for (Eigen::Vector3d& p : found.positions) p = lattice.near(p, surface.nearest(p).position);
   return found;
+}
+
+ConstrainedMesh::State state_on(const SurfaceProjector& surface, const CellNet& net) {
+  ConstrainedMesh::State state;
+  state.positions = net.positions;
+  for (const Eigen::Vector3d& p : net.positions) {
+    state.anchors.emplace_back().face = surface.nearest(p).face;
+  }
+  for (int h = 0; h < net.n_halfedges(); h += 3) {
+    state.triangles.push_back({net.from(h), net.to(h), net.to(h + 1)});
+  }
+  return state;
 }
 
 }  // namespace trivalent::remesh

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "crystal/cell_net.h"
-#include "mesh/surface_projector.h"
+#include "equalize/constrained_mesh.h"
 #include "trivalent/remesh/crystallize.h"
 
 namespace trivalent::remesh {
@@ -26,6 +26,11 @@ struct CellDivision {
 /// @param euler  Of the surface in the cell, < 0.
 [[nodiscard]] std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler);
 
+/// The same for a surface; none unless it is periodic along three directions and its Euler
+/// characteristic is negative.
+[[nodiscard]] std::optional<CellDivision> plan_cell_division(const TriMesh& surface,
+                                                             int wanted_vertices);
+
 struct CellNetOptions {
   CellDivision division;
   std::uint64_t seed = 0;
@@ -44,5 +49,10 @@ struct CellNetOptions {
 /// @return  The net of the least energy, divided, on the surface.
 [[nodiscard]] CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
                                       const CellNetOptions& options);
+
+/// A net as that of a surface without curves.
+///
+/// @param net  is_simplicial()
+[[nodiscard]] ConstrainedMesh::State state_on(const SurfaceProjector& surface, const CellNet& net);
 
 }  // namespace trivalent::remesh

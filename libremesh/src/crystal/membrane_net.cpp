@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "crystal/membrane_preconditioner.h"
+#include "crystal/membrane_minimizer.h"
 #include "mesh/geometry.h"
 
 namespace trivalent::remesh {
@@ -222,35 +222,14 @@ void MembraneNet::add_contacts(MembraneTerms<double>& terms, VertexImages& image
 
 void MembraneNet::relax(int steps, const std::function<bool()>& should_stop) {
   TriMesh& mesh = constrained_.mesh;
-  const std::size_t n = mesh.n_vertices();
-  VertexImages images(n);
+  VertexImages images(mesh.n_vertices());
   const MembraneTerms<double> all = terms(images);
-  std::vector<Lanes<double>> positions(n);
-  Lbfgs<double>::Vector x(4 * static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    positions[i] = in_lanes(mesh.point(VertexHandle(static_cast<int>(i))));
-    x.segment<4>(4 * static_cast<Eigen::Index>(i)) = positions[i];
-  }
-  images.place(mesh.lattice, positions);
-  std::vector<Lanes<double>> slopes(positions.size());
-  const MembranePreconditioner<double> inverse(membrane_, all, positions, n, images);
-  const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
-    std::copy_n(at.data(), at.size(), positions[0].data());
-    images.place(mesh.lattice, positions);
-    std::ranges::fill(slopes, Lanes<double>::Zero());
-    const double energy = membrane_energy(membrane_, all, positions, slopes);
-    images.collect(slopes);
-    std::copy_n(slopes[0].data(), at.size(), gradient.data());
-    return energy;
-  };
-  const auto precondition = [&](Lbfgs<double>::Vector& v) { inverse.apply(v); };
-  const double tolerance = 1e-6 * static_cast<double>(n);
-  minimizer_.minimize(
-      x, {.max_steps = steps, .max_move = 0.3 * membrane_.length, .tolerance = tolerance}, evaluate,
-      precondition, [&](double, double) { return should_stop && should_stop(); });
-  for (std::size_t i = 0; i < n; ++i) {
-    mesh.point(VertexHandle(static_cast<int>(i))) = x.segment<3>(4 * static_cast<Eigen::Index>(i));
-  }
+  std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
+  const double tolerance = 1e-6 * static_cast<double>(positions.size());
+  minimize_membrane(minimizer_, {membrane_, all, images, mesh.lattice}, positions,
+                    {steps, tolerance},
+                    [&](double, double) { return should_stop && should_stop(); });
+  for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
 }
 
 double MembraneNet::elastic_energy() {

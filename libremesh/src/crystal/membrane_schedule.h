@@ -66,7 +66,7 @@ inline int runs_of_cell_nets(Effort effort) {
 }
 /// [eV] that such a net may be above the other: the membrane makes too much of octagons. P of 192
 /// atoms has 22.2 eV under REBO with twelve of them, 26.2 eV as a membrane; the best nets without
-/// have 25.5 to 27.5 eV under REBO, and some less than 26 as membranes.
+/// have 25.5 to 27.5 eV under REBO, one of which was below the octagon net as a membrane.
 inline constexpr double favor_of_cell_nets = 3.0;
 inline constexpr int tidying_rounds = 20;  // that mend valences outside 5 to 7
 

@@ -190,17 +190,9 @@ class MembraneSearch {
     return true;
   }
 
-  /// How a net of a crystal's cell may come from few vertices.
-  [[nodiscard]] std::optional<CellDivision> cell_division() const {
-    const int euler = euler_characteristic(surface_);
-    const bool is_crystal = surface_.lattice.periodic() == Lattice::Periodic{true, true, true};
-    if (!is_crystal || euler >= 0) return std::nullopt;
-    return plan_cell_division(wanted_vertices(levels.back()), euler);
-  }
-
   /// Takes a net of a crystal's cell that comes from few vertices, if its energy is lower.
   void try_cell_nets() {
-    const std::optional<CellDivision> division = cell_division();
+    const auto division = plan_cell_division(surface_, wanted_vertices(levels.back()));
     if (!division) return;
     // A remeshed start of four times the vertices; the lattice allows edges of a quarter of it.
     const double base_length = Membrane::fine_length * std::sqrt(division->triangles_each());
@@ -215,7 +207,7 @@ class MembraneSearch {
     if (watch_.stopped() || !found.is_simplicial()) return;
     const double before = settled_energy();
     const ConstrainedMesh::State other = net_.on_surface.state();
-    net_.on_surface.restore(state_of(found));
+    net_.on_surface.restore(state_on(net_.on_surface.surface(), found));
     if (watch_.stopped() || settled_energy() >= before + favor_of_cell_nets)
       net_.on_surface.restore(other);
   }
@@ -227,20 +219,6 @@ class MembraneSearch {
     net.renew();
     net.relax(closing_steps, watch_.question());
     return energy_of(net, wanted_vertices(levels.back()));
-  }
-
-  [[nodiscard]] ConstrainedMesh::State state_of(const CellNet& net) const {
-    ConstrainedMesh::State state;
-    state.positions = net.positions;
-    for (const Eigen::Vector3d& p : net.positions) {
-      Anchor anchor;
-      anchor.face = net_.on_surface.surface().nearest(p).face;
-      state.anchors.push_back(anchor);
-    }
-    for (int h = 0; h < net.n_halfedges(); h += 3) {
-      state.triangles.push_back({net.from(h), net.to(h), net.to(h + 1)});
-    }
-    return state;
   }
 
   [[nodiscard]] StartingNetOptions starting_options(double length) const {
@@ -276,7 +254,7 @@ class MembraneSearch {
   /// Anneals the first net, a small one several times, and keeps the order of least energy.
   void order(Level level) {
     // Half of the time is for the nets that come from few vertices.
-    if (cell_division()) level.vertex_rounds *= 0.5;
+    if (plan_cell_division(surface_, wanted_vertices(levels.back()))) level.vertex_rounds *= 0.5;
     const OrderPlan plan =
         plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
     watch_.expect(plan.orders * rounds_of(plan.schedule));

@@ -116,7 +116,7 @@ class RingWalk {
   std::vector<int> vertices_;  // of found_, in the order they were reached
 };
 
-/// MatrixRows of the matrix for a run of vertices; its values follow from the hops.
+/// Rows of the matrix for a run of vertices; its values follow from the hops.
 struct MatrixRows {
   std::vector<int> sizes;  // entries per row
   std::vector<int> columns;
