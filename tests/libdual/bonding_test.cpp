@@ -96,12 +96,34 @@ TEST(FindRings, CountsRingsAcrossPeriodicBoundaries) {
   ASSERT_EQ(cell.rings.size(), 2u);
   for (const Ring& ring : cell.rings) {
     EXPECT_EQ(ring.atoms.size(), 6u);
-    EXPECT_TRUE(ring.crosses_boundary);
+    EXPECT_FALSE(ring.images.empty());
   }
   EXPECT_TRUE(drawable_rings(cell).empty());
   EXPECT_LT(drawable_bonds(cell).size(), cell.bonds.size());
   for (const auto& ends : bonding) {
     for (const BondEnd& end : ends) EXPECT_NEAR(end.separation.norm(), graphene_bond, 1e-12);
+  }
+}
+
+TEST(DrawingOf, CompletesBondsAndRingsByImages) {
+  Structure cell = {.atoms = graphene_cell()};
+  add_missing_network(cell);
+  const Drawing drawing = drawing_of(cell);
+  EXPECT_EQ(drawing.positions.size(), 4u + drawing.images.size());
+  ASSERT_EQ(drawing.bonds.size(), cell.bonds.size());
+  for (const auto& [first, second] : drawing.bonds) {
+    EXPECT_NEAR((drawing.positions[first] - drawing.positions[second]).norm(), graphene_bond,
+                1e-12);
+  }
+  ASSERT_EQ(drawing.rings.size(), cell.rings.size());
+  for (std::size_t k = 0; k < drawing.rings.size(); ++k) {
+    const std::vector<int>& places = drawing.rings[k];
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_EQ(drawing.atom(places[i]), cell.rings[k].atoms[i]);
+      // A flat regular hexagon: its corners lie twice a bond from those opposite.
+      EXPECT_NEAR((drawing.positions[places[i]] - drawing.positions[places[(i + 3) % 6]]).norm(),
+                  2.0 * graphene_bond, 1e-12);
+    }
   }
 }
 

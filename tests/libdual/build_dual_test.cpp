@@ -54,6 +54,14 @@ TEST(BuildDual, BondsAndRingsGoOnThroughTheCell) {
   }
   EXPECT_GT(through, 0u);
   EXPECT_LT(drawable_rings(structure).size(), structure.rings.size());
+  const Drawing drawing = drawing_of(structure);
+  for (const auto& [first, second] : drawing.bonds) {
+    EXPECT_LT((drawing.positions[first] - drawing.positions[second]).norm(), 0.1);
+  }
+  for (const std::vector<int>& ring : drawing.rings) {
+    const Eigen::Vector3d step = drawing.positions[ring.front()] - drawing.positions[ring.back()];
+    EXPECT_LT(step.norm(), 0.1);
+  }
   for (const Eigen::Vector3d& p : structure.atoms.positions) {
     EXPECT_TRUE((p.array() >= 0.0).all() && (p.array() < 1.0).all());
   }

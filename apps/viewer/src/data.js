@@ -57,18 +57,20 @@ function startsOf(sizes) {
   return starts;
 }
 
-/** Neighbors of every atom: atoms neighbors[starts[i]] to neighbors[starts[i + 1] - 1]. */
+/** Neighbors of every atom: atoms neighbors[starts[i]] to neighbors[starts[i + 1] - 1], and the
+ *  numbers of the bonds to them. */
 function neighborsOf(bonds, count) {
   const starts = new Int32Array(count + 1);
   for (const atom of bonds) ++starts[atom + 1];
   for (let i = 0; i < count; ++i) starts[i + 1] += starts[i];
   const next = starts.slice();
   const neighbors = new Int32Array(bonds.length);
-  for (let i = 0; i < bonds.length; i += 2) {
-    neighbors[next[bonds[i]]++] = bonds[i + 1];
-    neighbors[next[bonds[i + 1]]++] = bonds[i];
+  const neighborBonds = new Int32Array(bonds.length);
+  for (let i = 0; i < bonds.length; ++i) {
+    neighborBonds[next[bonds[i]]] = i >> 1;
+    neighbors[next[bonds[i]]++] = bonds[i ^ 1];
   }
-  return { starts, neighbors };
+  return { starts, neighbors, neighborBonds };
 }
 
 function distance(points, a, b) {
@@ -92,25 +94,29 @@ function boundsOf(points) {
   return { center, radius: Math.sqrt(square) + ball };
 }
 
-/** One state of the shell with its arrays; lengths in Å. */
+/** One state of the shell with its arrays; lengths in Å. Behind the positions of its atoms are those
+ *  of images across the faces of a periodic cell; bondPlaces and ringPlaces are places in that list,
+ *  bonds and ringAtoms the atoms that stand there. */
 async function loadState(packed) {
-  const [positions, species, bonds, ringSizes, ringAtoms, sample] = await Promise.all([
-    unpackedPoints(packed.positions, packed.step), unpacked(packed.species),
+  const [positions, images, species, bondPlaces, ringSizes, ringPlaces, sample] = await Promise.all([
+    unpackedPoints(packed.positions, packed.step), unpacked(packed.images), unpacked(packed.species),
     unpackedBonds(packed.bonds), unpacked(packed.rings.sizes), unpacked(packed.rings.atoms),
     packed.sample ? unpacked(packed.sample) : null]);
   const count = species.length;
-  const bondLengths = new Float32Array(bonds.length / 2);
+  const bondLengths = new Float32Array(bondPlaces.length / 2);
   for (let i = 0; i < bondLengths.length; ++i) {
-    bondLengths[i] = distance(positions, bonds[2 * i], bonds[2 * i + 1]);
+    bondLengths[i] = distance(positions, bondPlaces[2 * i], bondPlaces[2 * i + 1]);
   }
+  const atomsAt = (places) => (images.length === 0 ? places
+    : places.map((place) => (place < count ? place : images[place - count])));
+  const bonds = atomsAt(bondPlaces);
   const maps = new Map();
   for (const map of packed.maps) maps.set(map.name, { ...map, values: await unpackedValues(map) });
   return {
-    name: packed.name, total: packed.total_atoms, count, positions, species, bonds, bondLengths,
-    ringSizes, ringStarts: startsOf(ringSizes), ringAtoms, maps,
+    name: packed.name, total: packed.total_atoms, count, positions, species, bonds, bondPlaces, bondLengths,
+    ringSizes, ringStarts: startsOf(ringSizes), ringAtoms: atomsAt(ringPlaces), ringPlaces, maps,
     ...neighborsOf(bonds, count), ...boundsOf(positions),
     id: (atom) => (sample ? sample[atom] : atom) + 1,
-    distance: (a, b) => distance(positions, a, b),
   };
 }
 

@@ -61,7 +61,7 @@ export class Layer {
       pixelsPerUnit: { value: 1 }, radiusFactor: { value: 1 }, depthPerUnit: { value: 1 },
       bondRadius: { value: 1 },
     };
-    this.positions = new Float32Array(3 * state.count);
+    this.positions = new Float32Array(state.positions.length);
     for (let i = 0; i < this.positions.length; ++i) {
       this.positions[i] = (state.positions[i] - state.center[i % 3]) * this.scale;
     }
@@ -90,14 +90,14 @@ export class Layer {
 
   /** Bonds and rings are made when they are first shown: most large shells are never seen so near. */
   #makeBonds() {
-    const { bonds } = this.state;
-    const n = bonds.length / 2;
+    const { bondPlaces } = this.state;
+    const n = bondPlaces.length / 2;
     const ends = new Float32Array(12 * n);
     const others = new Float32Array(12 * n);
     const corners = new Int8Array(8 * n);
     const indices = new Uint32Array(6 * n);
     for (let bond = 0; bond < n; ++bond) {
-      const pair = [bonds[2 * bond], bonds[2 * bond + 1]];
+      const pair = [bondPlaces[2 * bond], bondPlaces[2 * bond + 1]];
       for (let corner = 0; corner < 4; ++corner) {
         const end = corner >> 1;
         for (let axis = 0; axis < 3; ++axis) {
@@ -119,25 +119,25 @@ export class Layer {
   }
 
   #makeRings() {
-    const { ringStarts, ringAtoms, ringSizes } = this.state;
-    const positions = new Float32Array(9 * ringAtoms.length);
+    const { ringStarts, ringPlaces, ringSizes } = this.state;
+    const positions = new Float32Array(9 * ringPlaces.length);
     let at = 0;
     for (let ring = 0; ring < ringSizes.length; ++ring) {
-      const atoms = ringAtoms.subarray(ringStarts[ring], ringStarts[ring + 1]);
+      const places = ringPlaces.subarray(ringStarts[ring], ringStarts[ring + 1]);
       const center = [0, 0, 0];
-      for (const atom of atoms) {
-        for (let axis = 0; axis < 3; ++axis) center[axis] += this.positions[3 * atom + axis] / atoms.length;
+      for (const place of places) {
+        for (let axis = 0; axis < 3; ++axis) center[axis] += this.positions[3 * place + axis] / places.length;
       }
-      atoms.forEach((atom, i) => {
-        const next = atoms[(i + 1) % atoms.length];
+      places.forEach((place, i) => {
+        const next = places[(i + 1) % places.length];
         positions.set(center, at);
-        positions.set(this.positions.subarray(3 * atom, 3 * atom + 3), at + 3);
+        positions.set(this.positions.subarray(3 * place, 3 * place + 3), at + 3);
         positions.set(this.positions.subarray(3 * next, 3 * next + 3), at + 6);
         at += 9;
       });
     }
     this.rings = drawable(three.Mesh, {
-      position: [positions, 3], color: [new Uint8Array(12 * ringAtoms.length), 4, true],
+      position: [positions, 3], color: [new Uint8Array(12 * ringPlaces.length), 4, true],
     }, material(shaders.rings, this.uniforms, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
     this.scene.add(this.rings);
     this.#paintRings();

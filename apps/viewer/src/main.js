@@ -254,13 +254,15 @@ class Page {
       return;
     }
     const { state } = this;
-    const neighbors = [...state.neighbors.subarray(state.starts[atom], state.starts[atom + 1])];
+    const [first, end] = [state.starts[atom], state.starts[atom + 1]];
+    const neighbors = [...state.neighbors.subarray(first, end)];
     this.details.replaceChildren(element('h2', {}, `Atom ${state.id(atom)}`), table([
       ['element', state.species[atom] === 1 ? 'H' : 'C'],
       ...[...state.maps.values()].map((map) => [map.title, this.#valueText(map, atom)]),
       ['position [Å]', [0, 1, 2].map((axis) => formatted(state.positions[3 * atom + axis], 0.001)).join(', ')]]),
-    element('div', { className: 'row' }, 'neighbors ', ...neighbors.map((other) => {
-      const node = element('button', { type: 'button' }, `${state.id(other)} (${state.distance(atom, other).toFixed(3)} Å)`);
+    element('div', { className: 'row' }, 'neighbors ', ...neighbors.map((other, i) => {
+      const length = state.bondLengths[state.neighborBonds[first + i]];
+      const node = element('button', { type: 'button' }, `${state.id(other)} (${length.toFixed(3)} Å)`);
       node.addEventListener('click', () => this.goTo(other));
       return node;
     })));

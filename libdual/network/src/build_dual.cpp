@@ -32,6 +32,25 @@ std::vector<potentials::Bond> bonds_across_edges(const remesh::TriMesh& mesh,
   return bonds;
 }
 
+/// Cells of a ring's atoms, counted from the first one's; empty if they are the same.
+std::vector<remesh::Lattice::Image> images_around(const remesh::Lattice& lattice,
+                                                  const std::vector<Eigen::Vector3d>& positions,
+                                                  const std::vector<int>& atoms) {
+  const remesh::Lattice::Image home = {0, 0, 0};
+  std::vector<remesh::Lattice::Image> images = {home};
+  bool crosses_boundary = false;
+  for (std::size_t k = 1; k < atoms.size(); ++k) {
+    remesh::Lattice::Image image =
+        image_beside(lattice, positions, static_cast<std::size_t>(atoms[k - 1]),
+                     static_cast<std::size_t>(atoms[k]));
+    for (std::size_t axis = 0; axis < 3; ++axis) image[axis] += images.back()[axis];
+    crosses_boundary = crosses_boundary || image != home;
+    images.push_back(image);
+  }
+  if (!crosses_boundary) images.clear();
+  return images;
+}
+
 std::vector<Ring> rings_around_vertices(const remesh::TriMesh& mesh,
                                         const std::vector<Eigen::Vector3d>& positions) {
   std::vector<Ring> rings;
@@ -40,11 +59,8 @@ std::vector<Ring> rings_around_vertices(const remesh::TriMesh& mesh,
     if (vertex.is_boundary()) continue;
     Ring ring;
     for (const auto face : mesh.vf_ccw_range(vertex)) ring.atoms.push_back(face.idx());
-    for (std::size_t k = 0; k < ring.atoms.size() && mesh.lattice.is_periodic(); ++k) {
-      const auto atom = static_cast<std::size_t>(ring.atoms[k]);
-      const auto next = static_cast<std::size_t>(ring.atoms[(k + 1) % ring.atoms.size()]);
-      const auto image = image_beside(mesh.lattice, positions, atom, next);
-      if (image != remesh::Lattice::Image{0, 0, 0}) ring.crosses_boundary = true;
+    if (mesh.lattice.is_periodic()) {
+      ring.images = images_around(mesh.lattice, positions, ring.atoms);
     }
     if (ring.atoms.size() < 3) {
       throw InvalidNetwork(concat("build_dual: vertex ", vertex.idx(), " has valence ",

@@ -102,6 +102,11 @@ std::vector<Site> canonical(std::vector<Site> ring) {
   return ring;
 }
 
+bool crosses_boundary(const std::vector<Site>& ring) {
+  return std::ranges::any_of(ring,
+                             [&](const Site& site) { return site.image != ring.front().image; });
+}
+
 /// How many rings each angle of each atom lies in.
 class FreeAngles {
  public:
@@ -173,8 +178,9 @@ std::vector<Ring> find_rings(const Bonding& bonding) {
     Ring ring;
     for (const Site& site : sites) {
       ring.atoms.push_back(site.atom);
-      if (site.image != std::array<int, 3>{0, 0, 0}) ring.crosses_boundary = true;
+      ring.images.push_back(site.image);
     }
+    if (!crosses_boundary(sites)) ring.images.clear();
     rings.push_back(std::move(ring));
   }
   return rings;

@@ -80,11 +80,11 @@ Eigen::Matrix3d turn_of(const PictureOptions& options) {
 }
 
 /// Fits what is seen of the state, with its balls, into the panel.
-Projection fit(const ShellState& state, const PictureOptions& options, const Area& panel) {
+Projection fit(std::span<const Eigen::Vector3d> positions, const PictureOptions& options,
+               const Area& panel) {
   Projection projection = {.turn = turn_of(options)};
   Eigen::AlignedBox3d bounds;
-  for (const Eigen::Vector3d& position : state.structure.atoms.positions)
-    bounds.extend(projection.turn * position);
+  for (const Eigen::Vector3d& position : positions) bounds.extend(projection.turn * position);
   if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
   constexpr double ball = 1.0;  // [Å] beyond the centers
   constexpr double margin = 1.04;
@@ -104,9 +104,9 @@ std::vector<double> ball_radii(const Structure& structure) {
   std::vector<double> sums(atoms.size(), 0.0);
   std::vector<int> counts(atoms.size(), 0);
   std::vector<double> lengths;
-  for (const auto& [first, second] : drawable_bonds(structure)) {
-    lengths.push_back((atoms.positions[first] - atoms.positions[second]).norm());
-    for (const int atom : {first, second}) {
+  for (const potentials::Bond& bond : structure.bonds) {
+    lengths.push_back(potentials::bond_length(atoms, bond));
+    for (const std::uint32_t atom : {bond.first, bond.second}) {
       sums[atom] += lengths.back();
       ++counts[atom];
     }
@@ -127,24 +127,21 @@ double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-void draw_atoms(Canvas& canvas, const ShellState& state, const Projection& projection,
-                const std::vector<Rgb>& colors) {
-  const potentials::Atoms& atoms = state.structure.atoms;
-  const std::vector<std::array<int, 2>> bonds = drawable_bonds(state.structure);
-  const std::vector<double> radii = ball_radii(state.structure);
+void draw_atoms(Canvas& canvas, const Drawing& drawing, const std::vector<double>& radii,
+                const Projection& projection, const std::vector<Rgb>& colors) {
   const double mean = mean_of(radii) * projection.samples_per_length;
   // Sticks need some pixels; before that, balls that touch make a closed surface.
   constexpr double room_for_sticks = 5.0 * samples;
-  const bool has_sticks = mean > room_for_sticks && !bonds.empty();
+  const bool has_sticks = mean > room_for_sticks && !drawing.bonds.empty();
   const double ball = has_sticks ? 0.55 : 1.15;
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    canvas.draw_ball(projection(atoms.positions[i]),
+    canvas.draw_ball(projection(drawing.positions[i]),
                      ball * radii[i] * projection.samples_per_length, colors[i]);
   }
   if (!has_sticks) return;
-  for (const auto& [first, second] : bonds) {
-    canvas.draw_stick(projection(atoms.positions[first]), projection(atoms.positions[second]),
-                      0.2 * mean, {colors[first], colors[second]});
+  for (const auto& [first, second] : drawing.bonds) {
+    canvas.draw_stick(projection(drawing.positions[first]), projection(drawing.positions[second]),
+                      0.2 * mean, {colors[drawing.atom(first)], colors[drawing.atom(second)]});
   }
 }
 
@@ -160,12 +157,13 @@ Color ring_color(const AtomMap& map, const AtomMap& values, const std::vector<in
   return mean.color(0);
 }
 
-void draw_rings(Canvas& canvas, const ShellState& state, const Projection& projection,
-                const AtomMap& map) {
+void draw_rings(Canvas& canvas, const ShellState& state, const Drawing& drawing,
+                const Projection& projection, const AtomMap& map) {
   const AtomMap& values = *state.find(map.name);
-  const std::vector<Eigen::Vector3d>& positions = state.structure.atoms.positions;
-  for (const auto& ring : drawable_rings(state.structure)) {
-    const Rgb color = rgb(ring_color(map, values, ring));
+  const std::vector<Eigen::Vector3d>& positions = drawing.positions;
+  for (std::size_t k = 0; k < drawing.rings.size(); ++k) {
+    const std::vector<int>& ring = drawing.rings[k];
+    const Rgb color = rgb(ring_color(map, values, state.structure.rings[k].atoms));
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const int atom : ring) center += positions[atom];
     center /= static_cast<double>(ring.size());
@@ -193,21 +191,23 @@ std::vector<Rgb> atom_colors(const AtomMap& map, const ShellState& state) {
 void draw_state(Canvas& canvas, const ShellState& state, const PictureOptions& options,
                 const AtomMap& map, const Area& panel) {
   canvas.clip(panel);
-  const Projection projection = fit(state, options, panel);
+  const Drawing drawing = drawing_of(state.structure);
+  const Projection projection = fit(drawing.positions, options, panel);
+  const std::vector<double> radii = ball_radii(state.structure);
   if (options.style == PictureStyle::rings) {
-    draw_rings(canvas, state, projection, map);
+    draw_rings(canvas, state, drawing, projection, map);
   } else {
-    draw_atoms(canvas, state, projection, atom_colors(map, state));
+    draw_atoms(canvas, drawing, radii, projection, atom_colors(map, state));
   }
   double near = -std::numeric_limits<double>::infinity();
   double far = -near;
-  for (const Eigen::Vector3d& position : state.structure.atoms.positions) {
+  for (const Eigen::Vector3d& position : drawing.positions) {
     const double depth = projection(position).z();
     near = std::max(near, depth);
     far = std::min(far, depth);
   }
   if (near > far) {
-    const double reach = 1.6 * mean_of(ball_radii(state.structure)) * projection.samples_per_length;
+    const double reach = 1.6 * mean_of(radii) * projection.samples_per_length;
     canvas.add_depth_cues(std::max(reach, 3.0 * samples), near, far);
   }
 }

@@ -173,19 +173,21 @@ const ColorScale& shared_scale(const ShellPage& page, const AtomMap& map) {
 
 Json json_state(const ShellState& state, const ShellPage& page) {
   const Shown shown = shown_atoms(state);
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(shown.atoms.size());
-  for (const int atom : shown.atoms) positions.push_back(state.structure.atoms.positions[atom]);
-  // Half of the atoms would leave torn bonds and rings.
-  const Structure drawn = shown.is_sample ? Structure{} : state.structure;
+  // A sample of the atoms would leave torn bonds and rings.
+  const Drawing drawing = shown.is_sample ? Drawing{} : drawing_of(state.structure);
+  std::vector<Eigen::Vector3d> positions = drawing.positions;
+  if (shown.is_sample) {
+    for (const int atom : shown.atoms) positions.push_back(state.structure.atoms.positions[atom]);
+  }
 
   Json json = {{"name", state.name},
                {"total_atoms", state.structure.atoms.size()},
                {"step", position_step},
                {"positions", packed_points(positions)},
+               {"images", packed_integers(drawing.images, 1)},
                {"species", packed_species(state.structure.atoms, shown.atoms)},
-               {"bonds", packed_bonds(drawable_bonds(drawn))},
-               {"rings", packed_rings(drawable_rings(drawn))}};
+               {"bonds", packed_bonds(drawing.bonds)},
+               {"rings", packed_rings(drawing.rings)}};
   if (shown.is_sample) {
     const std::vector<std::int32_t> ids(shown.atoms.begin(), shown.atoms.end());
     json["sample"] = packed_integers(ids, 1);

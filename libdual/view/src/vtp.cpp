@@ -95,12 +95,6 @@ std::vector<std::array<std::int32_t, 1>> vertices(std::size_t n_atoms) {
   return cells;
 }
 
-/// What does not cross a periodic boundary.
-struct Drawing {
-  std::vector<std::array<int, 2>> bonds;
-  std::vector<std::vector<int>> rings;
-};
-
 /// Cells are numbered vertices first, then lines, then polygons.
 void add_cell_data(Document& document, const ShellState& state, const Drawing& drawing) {
   std::vector<double> lengths(state.structure.atoms.size(),
@@ -122,7 +116,10 @@ void add_cell_data(Document& document, const ShellState& state, const Drawing& d
 
 void write_vtp(std::ostream& out, const ShellState& state) {
   check_state("write_vtp", state);
-  const Drawing drawing = {drawable_bonds(state.structure), drawable_rings(state.structure)};
+  // What crosses a periodic boundary would need points that are no atoms, without values.
+  Drawing drawing;
+  drawing.bonds = drawable_bonds(state.structure);
+  drawing.rings = drawable_rings(state.structure);
   Document document;
   add_point_data(document, state);
   add_cell_data(document, state, drawing);

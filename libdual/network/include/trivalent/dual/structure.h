@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <variant>
@@ -15,7 +16,9 @@ namespace trivalent::dual {
 /// Atoms in order around a ring.
 struct Ring {
   std::vector<int> atoms;
-  bool crosses_boundary = false;  ///< of a periodic box
+  /// Where the ring crosses faces of a periodic box: the cell of each atom, counted from the first
+  /// atom's. Empty if all are in one cell.
+  std::vector<std::array<std::int32_t, 3>> images = {};
 };
 
 /// A named quantity with one value per atom.
@@ -49,10 +52,24 @@ struct Structure {
 [[nodiscard]] Structure part_of(const Structure& structure,
                                 const std::function<bool(std::size_t)>& is_kept);
 
-/// Pairs of atoms whose bond stays inside the box: those that can be drawn.
+/// Pairs of atoms whose bond stays inside the box.
 [[nodiscard]] std::vector<std::array<int, 2>> drawable_bonds(const Structure& structure);
 
 /// Rings that stay inside the box.
 [[nodiscard]] std::vector<std::vector<int>> drawable_rings(const Structure& structure);
+
+/// A structure as it is drawn: its atoms and, behind them, the images of atoms to which bonds and
+/// rings lead across the faces of a periodic box.
+struct Drawing {
+  std::vector<Eigen::Vector3d> positions;  ///< of the atoms, then of the images [Å]
+  std::vector<int> images;                 ///< atom of each image
+  /// The structure's bonds and rings in their order, as places in `positions`.
+  std::vector<std::array<int, 2>> bonds;
+  std::vector<std::vector<int>> rings;
+
+  [[nodiscard]] int atom(int place) const;  ///< that stands at a place
+};
+
+[[nodiscard]] Drawing drawing_of(const Structure& structure);
 
 }  // namespace trivalent::dual
