@@ -27,13 +27,11 @@ Grammar grammar_of_check() {
   add_structure_options(grammar.options);
   grammar.epilog =
       "FILE is extended XYZ, LAMMPS data or a mesh, whose dual is meant. Atoms are bonded if they\n"
-      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). The potential is that which the\n"
-      "file names, else REBO. Exit code 1 if something is "
-      "wrong:\n"
-      "an atom without its three bonds, a bond outside 1.25 to 1.75 Å, an angle outside 85° to "
-      "155°,\n"
-      "other atoms nearer than 2 Å, a ring missing, forces, energies that are not those of the "
-      "file.\n";
+      "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). The potential is rebo or airebo\n"
+      "if the file names it, else rebo. Exit code 1 if something is wrong: an atom without its\n"
+      "three bonds, a bond outside 1.25 to 1.75 Å, an angle outside 85° to 155°, other atoms\n"
+      "nearer than 2 Å, a ring missing, forces, energies other than the file's under the same\n"
+      "potential.\n";
   return grammar;
 }
 
@@ -56,8 +54,15 @@ shell::CertifyOptions certify_options(const Session& session) {
 shell::CertifyOptions with_potential_of(const dual::Structure& structure,
                                         shell::CertifyOptions options, const Session& session) {
   if (!session.values["potential"].defaulted() || options.potential.pair_style) return options;
+  const auto title = shell::potential_title(structure);
+  if (!title) return options;
   const auto named = shell::named_potential(structure);
-  if (!named) return options;
+  if (!named) {
+    session.terminal.notes({"the file's energies are of " + *title + "; forces and energies of " +
+                            options.potential.title() +
+                            " are looked at (--potential and --pair-style choose)"});
+    return options;
+  }
   session.terminal.notes({"potential " + named->name + ", as the file says"});
   options.potential = *named;
   if (options.lammps) options.lammps = lammps_options(session, options.potential);

@@ -46,6 +46,17 @@ TEST_F(CheckCommand, AllowsAnEdgeIfItIsMeant) {
   EXPECT_EQ(open.out.find("three bonds"), std::string::npos) << open.out;
 }
 
+TEST_F(CheckCommand, DoesNotCompareEnergiesOfAnotherPotential) {
+  succeed("shape fullerene:N=60 c60.extxyz");
+  succeed("energy c60.extxyz --potential lj -o lj.extxyz");
+  const Outcome run = trivalent("check lj.extxyz --max-force inf --json");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_NE(run.err.find("energies are of lj"), std::string::npos) << run.err;
+  const auto file = run.json()["files"][0];
+  EXPECT_EQ(file["potential"], "rebo");
+  EXPECT_EQ(file["potential_of_file"], "lj");
+}
+
 TEST_F(CheckCommand, RefusesWhatMakesNoSense) {
   expect_failure(2, "FILE", "check");
   write("two.xyz", "2\n\nC 0 0 0\nC 1.4 0 0\n");

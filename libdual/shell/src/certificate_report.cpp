@@ -45,7 +45,12 @@ std::vector<dual::TableRow> energy_rows(const Certificate& certificate) {
     worst += (worst.empty() ? "" : ", ") + decimals(certificate.energy.energies[atom], 4) + " (" +
              std::to_string(atom + 1) + ')';
   }
-  return {{"energy", decimals(certificate.energy.energy, 8) + " eV"},
+  std::string potential = certificate.potential;
+  if (certificate.other_potential) {
+    potential += "; the file's energies are of " + *certificate.other_potential + ": not compared";
+  }
+  return {{"potential", potential},
+          {"energy", decimals(certificate.energy.energy, 8) + " eV"},
           {"per atom", per_atom},
           {"worst atoms [eV]", worst},
           {"largest force", significant(certificate.largest_force) + " eV/Å"}};
@@ -84,6 +89,7 @@ Json Certificate::json() const {
                {"energy_per_atom", summary.mean},
                {"largest_force", largest_force}};
   if (shell.is_closed()) json["euler_characteristic"] = shell.euler_characteristic();
+  if (other_potential) json["potential_of_file"] = *other_potential;
   if (is_rebo({.name = potential})) json["excess_per_atom"] = summary.excess();
   json["worst"] = Json::array();
   for (const int atom : summary.worst) {

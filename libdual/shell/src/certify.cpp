@@ -104,6 +104,7 @@ void check_topology(const dual::Structure& structure, ShellEdge edge, Certificat
 
 /// Energies that the file claims.
 void compare_with_file(const dual::Structure& structure, Certificate& certificate) {
+  if (certificate.other_potential) return;
   for (const dual::Column& column : structure.columns) {
     const auto* claimed = std::get_if<std::vector<double>>(&column.values);
     if (column.name != "energies" || claimed == nullptr) continue;
@@ -186,6 +187,8 @@ Certificate certify(const dual::Structure& structure, const CertifyOptions& opti
   check_options(options);
   Certificate certificate;
   certificate.potential = options.potential.title();
+  certificate.other_potential = potential_title(structure);
+  if (certificate.other_potential == certificate.potential) certificate.other_potential.reset();
   certificate.bonds = structure.bonds.empty() ? BondSource::distance : BondSource::file;
   check_topology(structure, options.edge, certificate);
   check_energies(structure, options, certificate);

@@ -117,11 +117,16 @@ void set_potential(dual::Structure& structure, const std::string& title) {
   structure.header.push_back({.key = potential_key, .value = title});
 }
 
-std::optional<PotentialChoice> named_potential(const dual::Structure& structure) {
+std::optional<std::string> potential_title(const dual::Structure& structure) {
   const auto entry = std::ranges::find(structure.header, potential_key, &dual::HeaderEntry::key);
   if (entry == structure.header.end()) return std::nullopt;
-  const auto* const name = std::get_if<std::string>(&entry->value);
-  if (name == nullptr) return std::nullopt;
+  const auto* const title = std::get_if<std::string>(&entry->value);
+  return title == nullptr ? std::nullopt : std::optional(*title);
+}
+
+std::optional<PotentialChoice> named_potential(const dual::Structure& structure) {
+  const std::optional<std::string> name = potential_title(structure);
+  if (!name) return std::nullopt;
   const auto known = std::ranges::find(potentials_by_name, *name, &KnownPotential::name);
   // Lennard-Jones, which LAMMPS is not asked for, has parameters.
   if (known == potentials_by_name.end() || !known->lammps) return std::nullopt;

@@ -50,6 +50,8 @@ struct DistanceSummary {
 /// What was found of the atoms, and what of it is wrong.
 struct Certificate {
   std::string potential = {};
+  /// Potential that the file names, if it is another one: its energies are not compared then.
+  std::optional<std::string> other_potential = {};
   BondSource bonds = BondSource::file;  ///< file: its bonds were compared with those by distance
   dual::ShellReport shell = {};
   std::vector<dual::WallReport> walls = {};  ///< if there are several

@@ -70,6 +70,9 @@ struct KnownPotential {
 /// @param title  PotentialChoice::title()
 void set_potential(dual::Structure& structure, const std::string& title);
 
+/// Title of the potential that a structure's header names; none if it names none.
+[[nodiscard]] std::optional<std::string> potential_title(const dual::Structure& structure);
+
 /// The potential that a structure's header names, if that says all about it: rebo or airebo.
 [[nodiscard]] std::optional<PotentialChoice> named_potential(const dual::Structure& structure);
 
