@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "crystal/membrane_search.h"
+#include "crystal/primitive_cell.h"
 #include "equalize/paper_loop.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/periodic.h"
 
 namespace trivalent::remesh {
 
@@ -20,6 +22,30 @@ bool is_open(const TriMesh& mesh) {
   return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
+/// The net of a crystal's primitive cell, copied into its own; none if that cell is the smallest,
+/// has no number of faces near the wanted one, or no net.
+std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOptions options,
+                                              SearchWatch& watch) {
+  const double m = options.target_edge_length;
+  const std::optional<PrimitiveCell> cell = primitive_cell(mesh, m);
+  if (!cell) return std::nullopt;
+  if (options.wanted_faces) {
+    constexpr double max_deviation = 0.003;
+    const double faces = *options.wanted_faces / cell->copies;
+    const double even = 2.0 * std::round(0.5 * faces);
+    if (std::abs(even - faces) > max_deviation * faces) return std::nullopt;
+    options.wanted_faces = even;
+  }
+  const TriMesh surface = with_edges_divided(cell->surface, m);
+  std::optional<FoundNet> net =
+      search_membrane({surface, find_creases(surface, {})}, options, watch);
+  if (!net) return std::nullopt;
+  const Flaws flaws = find_flaws(net->mesh, surface, m, max_reach);
+  if (flaws.sum() > 0.0) return std::nullopt;
+  net->mesh = in_supercell(net->mesh, mesh.lattice);
+  return net;
+}
+
 /// The net of the membrane where that is better, or else that of springs; none if the search was
 /// stopped before.
 std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOptions& options,
@@ -29,6 +55,7 @@ std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOption
   // On the surface a net without scars has unequal edges: 6.7 % instead of 4 % on a sphere.
   if (has_curves || options.rest == NetRest::on_surface)
     return search_springs(surface, options, watch);
+  if (auto net = search_primitive_cell(surface.mesh, options, watch)) return net;
   std::optional<FoundNet> membrane = search_membrane(surface, options, watch);
   if (watch.stopped()) return membrane;
   if (!membrane) return search_springs(surface, options, watch);

@@ -173,6 +173,12 @@ double Lattice::covering_radius() const {
   return 0.5 * short_.norm();
 }
 
+Lattice Lattice::reduced() const {
+  Cell cell = short_;
+  if (cell.determinant() < 0.0) cell = -cell;
+  return {cell, periodic_};
+}
+
 Lattice Lattice::scaled(double factor) const { return {factor * cell_, periodic_}; }
 
 }  // namespace trivalent::remesh

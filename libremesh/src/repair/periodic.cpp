@@ -1,8 +1,11 @@
 #include "trivalent/remesh/periodic.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include "mesh/edge_table.h"
@@ -144,50 +147,115 @@ TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
   return joined;
 }
 
+namespace {
+
+/// The cells of a lattice that one cell of a coarser lattice holds.
+class CellsOfSupercell {
+ public:
+  /// @param multiples  Vectors of the coarser lattice as sums of those of the finer one, as
+  /// columns.
+  explicit CellsOfSupercell(const Eigen::Matrix3i& multiples)
+      : multiples_(multiples), inverse_(multiples.cast<double>().inverse()) {
+    const Eigen::Vector3i low = multiples.cwiseMin(0).rowwise().sum();
+    const Eigen::Vector3i high = multiples.cwiseMax(0).rowwise().sum();
+    for (int c = low[2]; c < std::max(high[2], 1); ++c) {
+      for (int b = low[1]; b < std::max(high[1], 1); ++b) {
+        for (int a = low[0]; a < std::max(high[0], 1); ++a) {
+          const Lattice::Image cell = {a, b, c};
+          if (inside(cell) == cell) numbers_.emplace(cell, static_cast<int>(cells_.size()));
+          if (inside(cell) == cell) cells_.push_back(cell);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Lattice::Image>& cells() const { return cells_; }
+
+  /// Number of the cell of which another one is an image.
+  [[nodiscard]] int number(const Lattice::Image& cell) const { return numbers_.at(inside(cell)); }
+
+ private:
+  /// The image of a cell that lies in the supercell.
+  [[nodiscard]] Lattice::Image inside(const Lattice::Image& cell) const {
+    constexpr double margin = 1e-6;  // of rounding
+    const Eigen::Vector3i place(cell[0], cell[1], cell[2]);
+    const Eigen::Vector3d parts = inverse_ * place.cast<double>();
+    const Eigen::Vector3i counts = (parts.array() + margin).floor().cast<int>();
+    const Eigen::Vector3i rest = place - multiples_ * counts;
+    return {rest[0], rest[1], rest[2]};
+  }
+
+  Eigen::Matrix3i multiples_;
+  Eigen::Matrix3d inverse_;
+  std::vector<Lattice::Image> cells_;
+  std::map<Lattice::Image, int> numbers_;
+};
+
+TriMesh copied(const TriMesh& mesh, const CellsOfSupercell& supercell) {
+  const int n = static_cast<int>(mesh.n_vertices());
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const Lattice::Image& cell : supercell.cells()) {
+    const Eigen::Vector3d shift = mesh.lattice.translation(cell);
+    for (const auto v : mesh.vertices()) points.push_back(mesh.point(v) + shift);
+    for (const auto f : mesh.faces()) {
+      const auto corners = corners_of(mesh, f);
+      std::array<int, 3> copies{};
+      std::size_t k = 0;
+      for (const auto v : mesh.fv_range(f)) {
+        const Lattice::Image to = mesh.lattice.image_of(corners[k] - mesh.point(v));
+        copies[k++] =
+            v.idx() + n * supercell.number({cell[0] + to[0], cell[1] + to[1], cell[2] + to[2]});
+      }
+      triangles.push_back(copies);
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+void check_size(const TriMesh& mesh, double times, std::string_view caller) {
+  const double faces = times * static_cast<double>(mesh.n_faces());
+  if (faces > max_faces) {
+    throw InvalidOption(
+        concat(caller, ": the supercell would have ", faces, " faces, more than ", max_faces));
+  }
+}
+
+}  // namespace
+
 TriMesh repeated(const TriMesh& mesh, const std::array<int, 3>& times) {
   Lattice::Cell cell = mesh.lattice.cell();
-  double faces = static_cast<double>(mesh.n_faces());
+  double copies = 1.0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (times[k] < 1 || (times[k] > 1 && !mesh.lattice.periodic()[k])) {
       throw InvalidOption(concat("repeated: ", times[k], " times along cell vector ", k + 1,
                                  "; it must be 1 or more, and 1 where nothing is periodic"));
     }
     cell.col(static_cast<Eigen::Index>(k)) *= times[k];
-    faces *= times[k];
+    copies *= times[k];
   }
-  if (faces > max_faces) {
-    throw InvalidOption(
-        concat("repeated: the supercell would have ", faces, " faces, more than ", max_faces));
-  }
+  check_size(mesh, copies, "repeated");
   if (times == std::array{1, 1, 1}) return mesh;
-  const int n = static_cast<int>(mesh.n_vertices());
-  const auto copy_of = [&](int v, const Lattice::Image& image) {
-    std::array<int, 3> place{};
-    for (std::size_t k = 0; k < 3; ++k) place[k] = (image[k] % times[k] + times[k]) % times[k];
-    return v + n * (place[0] + times[0] * (place[1] + times[1] * place[2]));
-  };
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::array<int, 3>> triangles;
-  for (int c = 0; c < times[2]; ++c) {
-    for (int b = 0; b < times[1]; ++b) {
-      for (int a = 0; a < times[0]; ++a) {
-        const Eigen::Vector3d shift = mesh.lattice.translation({a, b, c});
-        for (const auto v : mesh.vertices()) points.push_back(mesh.point(v) + shift);
-        for (const auto f : mesh.faces()) {
-          const auto corners = corners_of(mesh, f);
-          std::array<int, 3> copies{};
-          std::size_t k = 0;
-          for (const auto v : mesh.fv_range(f)) {
-            const Lattice::Image to = mesh.lattice.image_of(corners[k] - mesh.point(v));
-            copies[k++] = copy_of(v.idx(), {a + to[0], b + to[1], c + to[2]});
-          }
-          triangles.push_back(copies);
-        }
-      }
-    }
-  }
-  TriMesh supercell = make_mesh(points, triangles);
+  const Eigen::Vector3i multiples(times[0], times[1], times[2]);
+  TriMesh supercell = copied(mesh, CellsOfSupercell(multiples.asDiagonal()));
   supercell.lattice = Lattice(cell, mesh.lattice.periodic());
+  return supercell;
+}
+
+TriMesh in_supercell(const TriMesh& mesh, const Lattice& cell) {
+  constexpr double tolerance = 1e-6;
+  if (mesh.lattice.periodic() != Lattice::Periodic{true, true, true} ||
+      cell.periodic() != mesh.lattice.periodic()) {
+    throw InvalidOption("in_supercell: three directions must be periodic");
+  }
+  const Eigen::Matrix3d multiples = mesh.lattice.cell().inverse() * cell.cell();
+  const Eigen::Matrix3d whole = multiples.array().round();
+  if ((multiples - whole).cwiseAbs().maxCoeff() > tolerance) {
+    throw InvalidOption("in_supercell: the cell vectors are no whole multiples of the mesh's");
+  }
+  check_size(mesh, whole.determinant(), "in_supercell");
+  TriMesh supercell = copied(mesh, CellsOfSupercell(whole.cast<int>()));
+  supercell.lattice = cell;
   return supercell;
 }
 

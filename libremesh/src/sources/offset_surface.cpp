@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "mesh/surface_projector.h"
@@ -67,12 +68,24 @@ TriMesh polygonized(ImplicitSurface& surface, double edge_length) {
   }
 }
 
+void require_closed(const TriMesh& surface, std::string_view caller) {
+  if (std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); })) {
+    throw InvalidMesh(concat(caller, ": the surface has a boundary"));
+  }
+}
+
+/// Distance of p from a surface, < 0 on the side from which its normals point away.
+double signed_distance(const SurfaceProjector& projector, const Lattice& lattice,
+                       const Eigen::Vector3d& p) {
+  const SurfacePoint foot = projector.nearest(p);
+  const Eigen::Vector3d away = p - lattice.near(p, foot.position);
+  return away.dot(projector.normal(foot)) < 0.0 ? -away.norm() : away.norm();
+}
+
 }  // namespace
 
 TriMesh offset_surface(const TriMesh& surface, double distance, double edge_length) {
-  if (std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); })) {
-    throw InvalidMesh("offset_surface: the surface has a boundary");
-  }
+  require_closed(surface, "offset_surface");
   const SurfaceProjector projector(surface);
   const double room = std::abs(distance) + 4.0 * edge_length;
   ImplicitSurface offset;
@@ -85,16 +98,23 @@ TriMesh offset_surface(const TriMesh& surface, double distance, double edge_leng
     offset.box.high.array() += room;
   }
   offset.value = [&](const Eigen::Vector3d& from_center) {
-    const Eigen::Vector3d p = center + from_center;
-    const SurfacePoint foot = projector.nearest(p);
-    const Eigen::Vector3d away = p - surface.lattice.near(p, foot.position);
-    const double side = away.dot(projector.normal(foot)) < 0.0 ? -1.0 : 1.0;
-    return side * away.norm() - distance;
+    return signed_distance(projector, surface.lattice, center + from_center) - distance;
   };
   TriMesh mesh = polygonized(offset, edge_length);
   for (const auto v : mesh.vertices()) mesh.point(v) += center;
   mesh.lattice = surface.lattice;
   return mesh;
+}
+
+TriMesh surface_in_lattice(const TriMesh& surface, const Lattice& lattice) {
+  require_closed(surface, "surface_in_lattice");
+  const SurfaceProjector projector(surface);
+  ImplicitSurface anew;
+  anew.lattice = lattice;
+  anew.value = [&](const Eigen::Vector3d& p) {
+    return signed_distance(projector, surface.lattice, p);
+  };
+  return polygonized(anew, mean_edge_length(surface));
 }
 
 }  // namespace trivalent::remesh

@@ -66,6 +66,10 @@ class Lattice {
   /// directions.
   [[nodiscard]] double covering_radius() const;
 
+  /// The same lattice with the shortest cell vectors that are right-handed; three directions must
+  /// be periodic.
+  [[nodiscard]] Lattice reduced() const;
+
   /// The same directions, with cell vectors longer by a factor > 0.
   [[nodiscard]] Lattice scaled(double factor) const;
 

@@ -18,4 +18,14 @@ namespace trivalent::remesh {
 /// Cost: O(n) nearest points for n faces of the result.
 [[nodiscard]] TriMesh offset_surface(const TriMesh& surface, double distance, double edge_length);
 
+/// Triangulates a periodic surface anew in a cell of another lattice, with edges of the same mean
+/// length.
+///
+/// @param surface  Smooth and without boundary, periodic along three directions.
+/// @param lattice  Its translations map the surface onto itself, sides included.
+/// @throws InvalidMesh as offset_surface.
+///
+/// Cost: O(n) nearest points for n faces of the result.
+[[nodiscard]] TriMesh surface_in_lattice(const TriMesh& surface, const Lattice& lattice);
+
 }  // namespace trivalent::remesh

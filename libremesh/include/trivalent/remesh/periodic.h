@@ -22,4 +22,10 @@ namespace trivalent::remesh {
 ///   max_faces.
 [[nodiscard]] TriMesh repeated(const TriMesh& mesh, const std::array<int, 3>& times);
 
+/// A supercell of any shape.
+///
+/// @param cell  Its vectors are sums of whole multiples of the mesh's; three are periodic.
+/// @throws InvalidOption if they are not, or the supercell would have more than max_faces.
+[[nodiscard]] TriMesh in_supercell(const TriMesh& mesh, const Lattice& cell);
+
 }  // namespace trivalent::remesh
