@@ -8,7 +8,10 @@
 #include <utility>
 
 #include "add_walls.h"
+#include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
+#include "trivalent/potentials/rebo.h"
+#include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/error.h"
 
 namespace trivalent::dual {
@@ -32,10 +35,41 @@ void check_options(const TriMesh& mesh, const ShellOptions& options) {
   }
 }
 
-/// The method, with nets left where carbon is nearly at rest.
-remesh::RemeshMethod method_at_rest(remesh::RemeshMethod method) {
+/// Energy of a net's atoms at rest above that of graphene, under REBO [eV]; infinite if they have
+/// none.
+double excess_at_rest(TriMesh net, double bond) {
+  try {
+    remesh::scale(net, scale_for_size(net, MeanBond{bond}));
+    const Structure structure = build_dual(net);
+    const bool is_periodic = structure.atoms.box.is_periodic();
+    constexpr double at_rest = 0.02;  // [eV/Å]
+    constexpr int max_steps = 1000;
+    potentials::Rebo rebo;
+    const double energy =
+        potentials::relax(structure.atoms, rebo,
+                          {.max_force = at_rest,
+                           .max_steps = max_steps,
+                           .box = is_periodic ? potentials::BoxPolicy::pressure_free
+                                              : potentials::BoxPolicy::fixed,
+                           .bonds = structure.bonds})
+            .result.energy;
+    return energy - graphene_energy * static_cast<double>(structure.atoms.size());
+  } catch (const potentials::InvalidAtoms&) {
+  } catch (const InvalidNetwork&) {
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The method, with nets left where carbon is nearly at rest; of several, that of the least energy.
+remesh::RemeshMethod method_at_rest(const ShellOptions& options) {
+  remesh::RemeshMethod method = options.method;
   auto* crystal = std::get_if<remesh::CrystalOptions>(&method);
-  if (crystal != nullptr) crystal->rest = remesh::NetRest::in_space;
+  if (crystal != nullptr) {
+    crystal->rest = remesh::NetRest::in_space;
+    crystal->energy = [bond = options.bond](const TriMesh& net) {
+      return excess_at_rest(net, bond);
+    };
+  }
   return method;
 }
 
@@ -107,7 +141,10 @@ remesh::RemeshMethod method_of_wall(remesh::RemeshMethod method) {
   // of that lets walls come within 2.1 Å; three times that leaves scars of pairs on the outer ones.
   constexpr double stiffness = 0.5;  // [eV/Å²]
   auto* crystal = std::get_if<remesh::CrystalOptions>(&method);
-  if (crystal != nullptr) crystal->stiffness = stiffness;
+  if (crystal != nullptr) {
+    crystal->stiffness = stiffness;
+    crystal->energy = {};  // which does not know the wall before
+  }
   // Facets of the net before are no creases.
   std::visit([](auto& options) { options.feature_angle.reset(); }, method);
   return method;
@@ -131,7 +168,7 @@ remesh::RemeshMethod with_shared_progress(remesh::RemeshMethod method, int wall,
 void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
   shell.scale = given_scale(mesh, options.size);
   shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
-  shell.surface = remesh::remesh_by(mesh, method_at_rest(options.method), shell.target_edge_length);
+  shell.surface = remesh::remesh_by(mesh, method_at_rest(options), shell.target_edge_length);
   shell.remeshings = 1;
 }
 
@@ -144,7 +181,9 @@ void fit_atom_count(const TriMesh& mesh, const ShellOptions& options, int atoms,
   while (true) {
     remesh::RemeshResult surface;
     try {
-      surface = remesh::remesh_by(mesh, with_faces(method_at_rest(progress.next()), atoms), target);
+      ShellOptions next = options;
+      next.method = progress.next();
+      surface = remesh::remesh_by(mesh, with_faces(method_at_rest(next), atoms), target);
     } catch (const remesh::InvalidOption&) {
       if (shell.remeshings == 0) throw;
       break;  // the corrected length is more than a part can hold
@@ -217,9 +256,8 @@ Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
     int wall = 0;
     const double edge_length = edge_length_for_bond(options.bond);
     add_walls(shell, options.walls, edge_length, [&](const TriMesh& surface, double faces) {
-      const remesh::RemeshMethod method =
-          with_shared_progress(with_faces(method_of_wall(method_at_rest(options.method)), faces),
-                               ++wall, options.walls.count);
+      const remesh::RemeshMethod method = with_shared_progress(
+          with_faces(method_of_wall(method_at_rest(options)), faces), ++wall, options.walls.count);
       return remesh::remesh_by(surface, method, edge_length);
     });
   }

@@ -273,6 +273,11 @@ std::optional<NumberedDivision> division_to(int wanted_faces, int euler, CellDiv
   return NumberedDivision{division, std::abs(base_faces * each - wanted_faces)};
 }
 
+CellNet divided(CellNet net, const CellDivision& division, const Lattice& lattice) {
+  if (division.by_sqrt3) net = net.divided_by_sqrt3(lattice);
+  return net.divided(division.parts, lattice);
+}
+
 }  // namespace
 
 std::optional<CellDivision> plan_cell_division(int wanted_vertices, int euler) {
@@ -301,8 +306,8 @@ std::optional<CellDivision> plan_cell_division(const TriMesh& surface, int wante
   return plan_cell_division(wanted_vertices, euler);
 }
 
-CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
-                        const CellNetOptions& options) {
+std::vector<CellNet> search_cell_nets(const TriMesh& start, const SurfaceProjector& surface,
+                                      const CellNetOptions& options) {
   const CellNet net = CellNet::of(start);
   std::vector<CellNetRun> runs;
   runs.reserve(index(options.runs));
@@ -323,12 +328,19 @@ CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
   std::ranges::stable_sort(runs, {}, &CellNetRun::best_energy);
   for_each_run(std::min(max_finalists, runs.size()),
                [](CellNetRun& run) { run.anneal(first_part, 1.0); });
-  const auto& best = *std::ranges::min_element(runs, {}, &CellNetRun::best_energy);
-  CellNet found = best.best();
-  const Lattice& lattice = start.lattice;
-  if (options.division.by_sqrt3) found = found.divided_by_sqrt3(lattice);
-  found = found.divided(options.division.parts, lattice);
-  for (Eigen::Vector3d& p : found.positions) p = lattice.near(p, surface.nearest(p).position);
+  std::ranges::stable_sort(runs, {}, &CellNetRun::best_energy);
+  std::vector<CellNet> found;
+  constexpr double same = 0.1;  // [eV] that runs to one net may differ by
+  double last = -std::numeric_limits<double>::infinity();
+  for (const CellNetRun& run : runs) {
+    if (found.size() == index(options.max_nets)) break;
+    if (run.best_energy() - last < same) continue;
+    last = run.best_energy();
+    found.push_back(divided(run.best(), options.division, start.lattice));
+    for (Eigen::Vector3d& p : found.back().positions) {
+      p = start.lattice.near(p, surface.nearest(p).position);
+    }
+  }
   return found;
 }
 

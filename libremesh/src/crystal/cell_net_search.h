@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "crystal/cell_net.h"
 #include "equalize/constrained_mesh.h"
@@ -35,6 +36,7 @@ struct CellNetOptions {
   CellDivision division;
   std::uint64_t seed = 0;
   int runs = 1;
+  int max_nets = 1;                        ///< to be found
   std::function<bool()> should_stop = {};  ///< asked between moves
 };
 
@@ -46,9 +48,10 @@ struct CellNetOptions {
 ///
 /// @param start    On the surface, of more vertices than division.base_vertices; edges as long as
 ///   Membrane::fine_length wants them at the end are shorter than its own by √triangles_each().
-/// @return  The net of the least energy, divided, on the surface.
-[[nodiscard]] CellNet search_cell_net(const TriMesh& start, const SurfaceProjector& surface,
-                                      const CellNetOptions& options);
+/// @return  Different nets of the least energies, the best first, divided, on the surface.
+[[nodiscard]] std::vector<CellNet> search_cell_nets(const TriMesh& start,
+                                                    const SurfaceProjector& surface,
+                                                    const CellNetOptions& options);
 
 /// A net as that of a surface without curves.
 ///

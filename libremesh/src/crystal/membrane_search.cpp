@@ -8,13 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "crystal/cell_net_search.h"
 #include "crystal/inflation.h"
 #include "crystal/membrane_annealing.h"
 #include "crystal/membrane_schedule.h"
+#include "crystal/tether_strength.h"
 #include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
@@ -32,66 +32,6 @@ constexpr double free_sheet_reach = 1.5;
 constexpr int opening_steps = 100;
 constexpr int closing_steps = 400;
 constexpr int hasty_steps = 30;  // once the user wants to stop
-
-/// How strongly net and surface hold each other [eV/Å²], and how far apart they may be freely [Å].
-struct Bond {
-  double tether;
-  double cover;
-  double slack;
-};
-
-Bond bond_of(const CrystalOptions& options) {
-  if (options.stiffness) {
-    const double ratio = std::sqrt(*options.stiffness / bond_of({}).tether);
-    return {.tether = *options.stiffness,
-            .cover = bond_of({}).cover * ratio,
-            .slack = bond_of({}).slack / ratio};
-  }
-  switch (options.follow) {
-    case Follow::close:
-      return {.tether = 0.02, .cover = 0.1, .slack = 2.0};
-    case Follow::carbon:
-      return {.tether = 0.006, .cover = 0.05, .slack = 4.0};
-    case Follow::free:
-      return {.tether = 0.002, .cover = 0.02, .slack = 6.0};
-  }
-  throw InvalidOption("crystallize: unknown strength of following");
-}
-
-/// Whether the net is held to the surface up to the end, equally on every shape.
-bool is_held(const CrystalOptions& options) {
-  return options.stiffness || options.follow == Follow::close;
-}
-
-/// 1/H for the root mean square of the mean curvature H: the radius of a sphere.
-double mean_radius(const TriMesh& surface, double area) {
-  double bending = bending_integral(surface);
-  if (surface.lattice.is_periodic()) {
-    // Minimal surfaces bend without mean curvature: ∫ k1² + k2² dA, of a sphere as large.
-    const double gaussian = 2.0 * std::numbers::pi * euler_characteristic(surface);
-    bending = 2.0 * (bending - 2.0 * gaussian);
-  }
-  return std::sqrt(4.0 * area / bending);
-}
-
-/// How much stiffer than on shapes of middling size the tether is, from the curvature.
-double tether_factor(const TriMesh& surface, double area) {
-  const double radius = mean_radius(surface, area);
-  // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
-  // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000
-  // atoms an exponent of 4 leaves fewer of them than 3.
-  constexpr double large = 40.0;  // [Å]
-  if (radius > large) return std::pow(large / radius, 4.0);
-  // A net that may leave a small shape by several Å takes another one, with defects of its own:
-  // arms of a junction become a pyramid. Spheres of up to 960 atoms, tori, capsules, P and gyroid
-  // have lower energies when they are held, a sphere of 2,160 atoms when it is not. Rough shapes
-  // have smaller radii of curvature than their size allows for.
-  constexpr double small = 21.0;           // [Å]
-  constexpr double sides_of_radius = 7.0;  // √area of smooth shapes, at most
-  constexpr double max_factor = 33.0;
-  const double size = std::max(radius, std::sqrt(area) / sides_of_radius);
-  return std::clamp(std::pow(small / size, 6.5), 1.0, max_factor);
-}
 
 class MembraneSearch {
  public:
@@ -114,7 +54,7 @@ class MembraneSearch {
     }
     if (!is_coarse && (watch_.stopped() || !start_small())) return std::nullopt;
     if (!watch_.stopped()) try_cell_nets();
-    finish();
+    finish_best();
     scale(net_.mesh, 1.0 / scale_);
     return FoundNet{std::move(net_.mesh), is_coarse};
   }
@@ -148,15 +88,24 @@ class MembraneSearch {
     return true;
   }
 
+  /// Whether all orders of a net are finished, and the energy of the options chooses: nets so small
+  /// that it takes less time than the search.
+  [[nodiscard]] bool is_judged() const {
+    return options_.energy && n_vertices() <= max_judged_vertices;
+  }
+
   /// Orders a first net at a level, and brings it to the target length.
   ///
   /// @return  False, without a net, where the shape is too small or too thin for that level.
   bool order_from(std::size_t level) {
     if (watch_.stopped() || !has_room(levels[level]) || !start(levels[level])) return false;
-    order(levels[level]);
-    for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
-      divide();
-      settle(levels[finer], is_refined(level, finer));
+    for (const ConstrainedMesh::State& order : orders(levels[level])) {
+      net_.on_surface.restore(order);
+      for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
+        divide();
+        settle(levels[finer], is_refined(level, finer));
+      }
+      candidates_.push_back({net_.on_surface.state()});
     }
     return true;
   }
@@ -186,11 +135,13 @@ class MembraneSearch {
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
-    order(levels.back());
+    for (ConstrainedMesh::State& order : orders(levels.back())) {
+      candidates_.push_back({std::move(order)});
+    }
     return true;
   }
 
-  /// Takes a net of a crystal's cell that comes from few vertices, if its energy is lower.
+  /// Adds nets of a crystal's cell that come from few vertices.
   void try_cell_nets() {
     const auto division = plan_cell_division(surface_, wanted_vertices(levels.back()));
     if (!division) return;
@@ -199,26 +150,17 @@ class MembraneSearch {
     const double length = std::min(0.5 * base_length, 0.24 * surface_.lattice.shortest());
     const std::unique_ptr<Net> start = starting_net(surface_, creases_, starting_options(length));
     if (!start || find_components(start->mesh).parts.size() != 1) return;
-    const CellNet found = search_cell_net(start->mesh, net_.on_surface.surface(),
-                                          {.division = *division,
-                                           .seed = options_.seed,
-                                           .runs = runs_of_cell_nets(options_.effort),
-                                           .should_stop = watch_.question()});
-    if (watch_.stopped() || !found.is_simplicial()) return;
-    const double before = settled_energy();
-    const ConstrainedMesh::State other = net_.on_surface.state();
-    net_.on_surface.restore(state_on(net_.on_surface.surface(), found));
-    if (watch_.stopped() || settled_energy() >= before + favor_of_cell_nets)
-      net_.on_surface.restore(other);
-  }
-
-  /// Energy of the net at the target length, relaxed, cores and the count term included [eV].
-  [[nodiscard]] double settled_energy() {
-    MembraneNet net(net_.on_surface, surface_, final_membrane());
-    net.relax(closing_steps, watch_.question());
-    net.renew();
-    net.relax(closing_steps, watch_.question());
-    return energy_of(net, wanted_vertices(levels.back()));
+    const SurfaceProjector& projector = net_.on_surface.surface();
+    constexpr int max_judged_nets = 4;
+    for (const CellNet& net : search_cell_nets(start->mesh, projector,
+                                               {.division = *division,
+                                               .seed = options_.seed,
+                                               .runs = runs_of_cell_nets(options_.effort),
+                                               .max_nets = is_judged() ? max_judged_nets : 1,
+                                               .should_stop = watch_.question()})) {
+      if (!net.is_simplicial()) continue;
+      candidates_.push_back({state_on(projector, net), favor_of_cell_nets});
+    }
   }
 
   [[nodiscard]] StartingNetOptions starting_options(double length) const {
@@ -226,13 +168,13 @@ class MembraneSearch {
   }
 
   [[nodiscard]] Membrane membrane_at(const Level& level) const {
-    const Bond bond = bond_of(options_);
+    const TetherStrength strength = tether_of(options_);
     Membrane membrane;
     membrane.length = level.coarseness * Membrane::fine_length;
     const bool is_stiffer = tether_factor_ > 1.0;
-    membrane.tether = tether_factor_ * bond.tether;
-    membrane.cover = (is_stiffer ? std::sqrt(tether_factor_) : tether_factor_) * bond.cover;
-    membrane.slack = bond.slack / (is_stiffer ? std::sqrt(tether_factor_) : 1.0);
+    membrane.tether = tether_factor_ * strength.tether;
+    membrane.cover = (is_stiffer ? std::sqrt(tether_factor_) : tether_factor_) * strength.cover;
+    membrane.slack = strength.slack / (is_stiffer ? std::sqrt(tether_factor_) : 1.0);
     membrane.pentagon = level.pentagon;
     membrane.heptagon = level.heptagon;
     membrane.octagon = level.octagon;
@@ -251,8 +193,11 @@ class MembraneSearch {
     return vertices_for_faces(net_.mesh, faces);
   }
 
-  /// Anneals the first net, a small one several times, and keeps the order of least energy.
-  void order(Level level) {
+  /// Anneals the first net, a small one several times.
+  ///
+  /// @return  All orders if they are to be judged, else that of least energy.
+  std::vector<ConstrainedMesh::State> orders(Level level) {
+    if (is_judged()) level.max_orders = max_judged_orders;
     // Half of the time is for the nets that come from few vertices.
     if (plan_cell_division(surface_, wanted_vertices(levels.back()))) level.vertex_rounds *= 0.5;
     const OrderPlan plan =
@@ -280,8 +225,13 @@ class MembraneSearch {
     // Small nets have few patches at a time, so that their orders are found at the same time.
     tbb::parallel_for(std::size_t{0}, found.size(),
                       [&](std::size_t k) { tbb::this_task_arena::isolate([&] { find(k); }); });
-    const Order& best = *std::ranges::min_element(found, {}, &Order::energy);
-    if (std::isfinite(best.energy)) net_.on_surface.restore(best.state);
+    std::erase_if(found, [](const Order& order) { return !std::isfinite(order.energy); });
+    if (found.empty()) return {start};
+    std::ranges::stable_sort(found, {}, &Order::energy);
+    if (!is_judged()) found.resize(1);
+    std::vector<ConstrainedMesh::State> states;
+    for (Order& order : found) states.push_back(std::move(order.state));
+    return states;
   }
 
   struct Annealing {
@@ -354,13 +304,52 @@ class MembraneSearch {
     return membrane;
   }
 
-  void finish() {
-    MembraneNet net(net_.on_surface, surface_, final_membrane());
-    if (watch_.stopped()) return net.relax(hasty_steps);
-    net.relax(closing_steps, watch_.question());
-    net.renew();
-    net.relax(closing_steps, watch_.question());
+  /// Brings a net of the target length to rest.
+  ///
+  /// @return  Its energy, cores and the count term included [eV].
+  double finish(Net& finished) {
+    MembraneNet net(finished.on_surface, surface_, final_membrane());
+    if (watch_.stopped()) {
+      net.relax(hasty_steps);
+    } else {
+      net.relax(closing_steps, watch_.question());
+      net.renew();
+      net.relax(closing_steps, watch_.question());
+    }
+    return energy_of(net, wanted_vertices(levels.back()));
   }
+
+  /// Finishes the candidates, and keeps the best.
+  void finish_best() {
+    if (watch_.stopped()) candidates_.resize(1);
+    const auto judge = [&](Candidate& candidate) {
+      Net net(surface_, creases_);
+      net.on_surface.restore(candidate.state);
+      candidate.energy = finish(net) - candidate.favor;
+      candidate.state = net.on_surface.state();
+      if (!is_judged() || candidates_.size() == 1) return;
+      scale(net.mesh, 1.0 / scale_);
+      candidate.energy = options_.energy(net.mesh) + count_energy(net.mesh);
+    };
+    tbb::parallel_for(std::size_t{0}, candidates_.size(), [&](std::size_t k) {
+      tbb::this_task_arena::isolate([&] { judge(candidates_[k]); });
+    });
+    const auto best = std::ranges::min_element(candidates_, {}, &Candidate::energy);
+    net_.on_surface.restore(best->state);
+  }
+
+  /// What a net of the target length costs for vertices too many or too few [eV].
+  [[nodiscard]] double count_energy(const TriMesh& mesh) const {
+    const int excess = static_cast<int>(mesh.n_vertices()) - wanted_vertices(levels.back());
+    return final_membrane().count_energy(excess);
+  }
+
+  /// A net of the target length, or what it has come to.
+  struct Candidate {
+    ConstrainedMesh::State state;
+    double favor = 0.0;  ///< [eV] that it may be above others
+    double energy = 0.0;
+  };
 
   double scale_;  ///< from the mesh's unit to Å
   TriMesh surface_;
@@ -371,6 +360,7 @@ class MembraneSearch {
   double tether_factor_;
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came
+  std::vector<Candidate> candidates_;
 };
 
 }  // namespace
@@ -381,7 +371,9 @@ double annealing_work(double vertices, Effort effort) {
     return vertices / (levels[level].coarseness * levels[level].coarseness);
   };
   while (vertices_of(first) < levels[first].min_vertices) ++first;
-  const auto [orders, schedule] = plan_order(levels[first], vertices_of(first), effort);
+  Level level_of_order = levels[first];
+  if (vertices <= max_judged_vertices) level_of_order.max_orders = max_judged_orders;
+  const auto [orders, schedule] = plan_order(level_of_order, vertices_of(first), effort);
   double work = vertices_of(first) * orders * rounds_for(schedule, effort);
   for (std::size_t level = first + 1; level < levels.size(); ++level) {
     work += vertices_of(level) * rounds_for(is_refined(first, level) ? refining : settling, effort);

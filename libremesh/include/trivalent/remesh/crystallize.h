@@ -40,6 +40,11 @@ struct CrystalOptions {
   /// `follow`: 0.02 is about as close, 0.006 as carbon, 0.002 as free.
   std::optional<double> stiffness = {};
   NetRest rest = NetRest::on_surface;
+  /// Energy of a net in space above that of a flat one [eV], in the mesh's unit. If given, a small
+  /// net is ordered more often, and the order whose energy is least is returned; if empty, the
+  /// energy of the membrane decides.
+  /// Several threads may call it.
+  std::function<double(const TriMesh& net)> energy = {};
   /// Edges whose faces' normals differ by more than this [rad] are creases. If empty, there are
   /// none.
   std::optional<double> feature_angle = std::nullopt;
