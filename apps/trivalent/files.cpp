@@ -92,8 +92,9 @@ std::string list_of(const std::vector<remesh::ShapeDescription>& descriptions) {
   for (const remesh::ShapeDescription& shape : descriptions) {
     text << "  " << shape.name << ": " << shape.meaning << '\n';
     for (const remesh::ShapeParameter& parameter : shape.parameters) {
-      text << "      " << parameter.name << " [" << parameter.default_value
-           << "]: " << parameter.meaning << '\n';
+      text << "      " << parameter.name;
+      if (!parameter.is_list) text << " [" << parameter.default_value << ']';
+      text << ": " << parameter.meaning << '\n';
     }
   }
   return text.str();

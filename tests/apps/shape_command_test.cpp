@@ -25,6 +25,8 @@ TEST_F(ShapeCommand, HasParameters) {
 
 TEST_F(ShapeCommand, RefusesWhatItCannotMake) {
   expect_failure(2, "cube", "shape cube a.off");
+  expect_failure(2, "list of numbers", "shape junction:arm=1 a.off");
+  expect_failure(2, "one number", "shape 'sphere:radius=1 2' a.off");
   expect_failure(2, "R", "shape sphere:R=3 a.off");
   expect_failure(2, "name=number", "shape sphere:radius a.off");
   expect_failure(2, "name=number", "shape sphere:radius=x a.off");

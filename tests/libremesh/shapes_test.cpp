@@ -45,9 +45,9 @@ TEST(BuiltInShapes, AreTheDocumentedOnes) {
   std::vector<std::string> names;
   for (const Expected& shape : all_shapes) names.push_back(shape.name);
   for (const char* name :
-       {"y-junction", "t-junction", "x-junction", "tetrapod", "six-arm-junction", "cubic-network",
-        "diamond-network", "honeycomb-network", "schwarz-p", "schwarz-d", "gyroid", "i-wp",
-        "neovius", "plane", "periodic-tube", "wave"}) {
+       {"y-junction", "t-junction", "x-junction", "tetrapod", "six-arm-junction", "junction",
+        "cubic-network", "diamond-network", "honeycomb-network", "schwarz-p", "schwarz-d", "gyroid",
+        "i-wp", "neovius", "plane", "periodic-tube", "wave"}) {
     names.emplace_back(name);
   }
   ASSERT_EQ(built_in_shapes().size(), names.size());
@@ -205,6 +205,46 @@ TEST(Junctions, AreClosedByHemispheresOrOpen) {
   }
   EXPECT_THROW(static_cast<void>(make_shape("y-junction", {{"open", 0.5}}, 0.25)), InvalidOption);
   EXPECT_THROW(static_cast<void>(make_shape("x-junction", {{"radius", 0.0}}, 0.25)), InvalidOption);
+}
+
+TEST(Junctions, TakeAnyListOfArms) {
+  const auto arm = [](std::vector<double> numbers) {
+    return ShapeArgument{.name = "arm", .list = std::move(numbers)};
+  };
+  const TriMesh open = make_shape(
+      "junction", {arm({0, 0, 2}), arm({1, 0, -1, 6}), arm({-1, 0, 0, 5, 0.6}), {"open", 1.0}},
+      0.15);
+  const MeshQuality cut = measure_quality(open);
+  EXPECT_EQ(cut.euler_characteristic, -1);
+  EXPECT_EQ(cut.boundary_loops, 3);
+  for (const auto v : open.vertices()) {
+    if (!v.is_boundary()) continue;
+    const Eigen::Vector3d& p = open.point(v);
+    if (p.z() > 1.0) {
+      EXPECT_NEAR(p.z(), 4.0, 1e-9);
+    } else if (p.x() > 0.0) {
+      EXPECT_NEAR(p.norm(), std::hypot(6.0, 1.0), 0.02);
+    } else {
+      EXPECT_NEAR(p.norm(), std::hypot(5.0, 0.6), 0.02);
+    }
+  }
+  // The same as by name.
+  const TriMesh tee =
+      make_shape("junction", {arm({1, 0, 0}), arm({-1, 0, 0}), arm({0, 3, 0})}, 0.2);
+  const TriMesh named = make_shape("t-junction", {}, 0.2);
+  ASSERT_EQ(tee.n_vertices(), named.n_vertices());
+  for (const auto v : tee.vertices()) EXPECT_EQ(tee.point(v), named.point(v));
+
+  const auto refused = [&](const std::vector<ShapeArgument>& arguments) {
+    EXPECT_THROW(static_cast<void>(make_shape("junction", arguments, 0.2)), InvalidOption);
+  };
+  refused({});
+  refused({{"arm", 1.0}});
+  refused({arm({1, 0})});
+  refused({arm({1, 0, 0, 4, 1, 1})});
+  refused({arm({0, 0, 0})});
+  refused({arm({1, 0, 0, -4})});
+  refused({arm({1, 0, 0}), {.name = "radius", .list = {1, 2}}});
 }
 
 TEST(Networks, HaveTheGenusOfTheirGraph) {

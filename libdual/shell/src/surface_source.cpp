@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <sstream>
+#include <utility>
 
 #include "trivalent/formats/cell_angles.h"
 #include "trivalent/remesh/error.h"
@@ -20,14 +22,22 @@ namespace {
 
 remesh::ShapeArgument parse_argument(std::string_view text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string_view number = text.substr(std::min(equals + 1, text.size()));
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc{} || end != number.data() + number.size()) {
+  remesh::ShapeArgument argument = {.name = std::string(text.substr(0, equals))};
+  std::istringstream words(std::string(text.substr(std::min(equals + 1, text.size()))));
+  for (std::string word; words >> word;) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    argument.list.push_back(value);
+    if (error == std::errc{} && end == word.data() + word.size()) continue;
+    argument.list.clear();
+    break;
+  }
+  if (argument.list.empty()) {
     throw remesh::InvalidOption("a shape's parameter is name=number, not '" + std::string(text) +
                                 "'");
   }
-  return {.name = std::string(text.substr(0, equals)), .value = value};
+  if (argument.list.size() == 1) argument.value = std::exchange(argument.list, {}).front();
+  return argument;
 }
 
 double value_of(const remesh::ShapeParameter& parameter, const ShapeCall& call) {
@@ -45,6 +55,7 @@ double coarse_edge_length(const ShapeCall& call) {
     if (shape.name != call.name) continue;
     pieces = shape.coarsest;
     for (const remesh::ShapeParameter& parameter : shape.parameters) {
+      if (parameter.is_list) continue;
       const double value = value_of(parameter, call);
       if (value != 0.0) smallest = std::min(smallest, std::abs(value));
     }

@@ -24,6 +24,7 @@ namespace trivalent::remesh {
 [[nodiscard]] TriMesh x_junction(const Request& request);
 [[nodiscard]] TriMesh tetrapod(const Request& request);
 [[nodiscard]] TriMesh six_arm_junction(const Request& request);
+[[nodiscard]] TriMesh junction(const Request& request);
 [[nodiscard]] TriMesh cubic_network(const Request& request);
 [[nodiscard]] TriMesh diamond_network(const Request& request);
 [[nodiscard]] TriMesh honeycomb_network(const Request& request);

@@ -14,26 +14,27 @@ namespace {
 
 using std::numbers::pi;
 
-/// Center line of a tube.
+/// A tube, with hemispheres at its ends.
 struct Segment {
-  Eigen::Vector3d from;
+  Eigen::Vector3d from;  ///< of its center line
   Eigen::Vector3d to;
+  double radius;
 };
 
-/// From a point so far beside the middle of a segment.
+/// Distance to a tube, < 0 inside.
 double distance_to(const Segment& segment, const Eigen::Vector3d& p) {
   const Eigen::Vector3d along = segment.to - segment.from;
   const double t = std::clamp((p - segment.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - segment.from - t * along).norm();
+  return (p - segment.from - t * along).norm() - segment.radius;
 }
 
-/// Distance to tubes of one radius that are joined smoothly: a soft minimum of the distances to
-/// each. Its gradient is a weighted mean of gradients of length 1, no longer than 1.
+/// Distance to tubes that are joined smoothly: a soft minimum of the distances to each. Its
+/// gradient is a weighted mean of gradients of length 1, no longer than 1.
 class JoinedTubes {
  public:
   /// @param neck  about the radius of the fillets between tubes
-  JoinedTubes(std::vector<Segment> segments, double radius, double neck)
-      : segments_(std::move(segments)), radius_(radius), blend_(0.25 * neck) {}
+  JoinedTubes(std::vector<Segment> segments, double neck)
+      : segments_(std::move(segments)), blend_(0.25 * neck) {}
 
   double operator()(const Eigen::Vector3d& p) const {
     // Of the hundreds of tubes in a lattice few are near enough to count.
@@ -47,7 +48,7 @@ class JoinedTubes {
       const double exponent = (nearest - distance) / blend_;
       if (exponent > negligible) sum += std::exp(exponent);
     }
-    return nearest - blend_ * std::log(sum) - radius_;
+    return nearest - blend_ * std::log(sum);
   }
 
   /// The tube that a point belongs to.
@@ -59,7 +60,6 @@ class JoinedTubes {
 
  private:
   std::vector<Segment> segments_;
-  double radius_;
   double blend_;
 };
 
@@ -99,35 +99,67 @@ void cut_off(TriMesh& mesh, const JoinedTubes& tubes, std::size_t tube, const Se
   mesh.garbage_collection();
 }
 
-/// Tubes that leave the origin.
-TriMesh junction(const Request& request, const std::vector<Eigen::Vector3d>& directions) {
+/// A tube that leaves the origin.
+struct Arm {
+  Eigen::Vector3d direction;
+  double length;
+  double radius;
+};
+
+TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
   check_positive(request, {"radius", "length", "neck"});
-  const double radius = request.at("radius");
-  const double length = request.at("length");
-  const double neck = request.at("neck");
   const double open = request.at("open");
   if (open != 0.0 && open != 1.0) {
     throw InvalidOption(concat("make_shape: ", request.shape, ": open is 0 or 1, not ", open));
   }
-  check_face_count(request,
-                   2.0 * pi * radius * (length + radius) * static_cast<double>(directions.size()));
-  (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
-  // Tubes that are to be cut go on for a while.
-  const double end = length + open * 4.0 * request.edge_length;
+  double area = 0.0;
+  double reach = 0.0;
   std::vector<Segment> segments;
-  std::vector<Segment> arms;
-  for (const Eigen::Vector3d& direction : directions) {
+  std::vector<Segment> ends;
+  for (const auto& [direction, length, radius] : arms) {
+    area += 2.0 * pi * radius * (length + radius);
+    (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
+    // Tubes that are to be cut go on for a while.
+    const double end = length + open * 4.0 * request.edge_length;
     const Eigen::Vector3d unit = direction.normalized();
-    segments.push_back({Eigen::Vector3d::Zero(), end * unit});
-    arms.push_back({Eigen::Vector3d::Zero(), length * unit});
+    segments.push_back({Eigen::Vector3d::Zero(), end * unit, radius});
+    ends.push_back({Eigen::Vector3d::Zero(), length * unit, radius});
+    reach = std::max(reach, end + radius);
   }
-  const JoinedTubes tubes(std::move(segments), radius, neck);
-  const double room = end + radius + neck + 2.0 * request.edge_length;
+  check_face_count(request, area);
+  const JoinedTubes tubes(std::move(segments), request.at("neck"));
+  const double room = reach + request.at("neck") + 2.0 * request.edge_length;
   const BoundingBox box = {.low = Eigen::Vector3d::Constant(-room),
                            .high = Eigen::Vector3d::Constant(room)};
   TriMesh mesh = polygonize({.value = tubes, .box = box}, request.edge_length);
-  for (std::size_t k = 0; open == 1.0 && k < arms.size(); ++k) cut_off(mesh, tubes, k, arms[k]);
+  for (std::size_t k = 0; open == 1.0 && k < ends.size(); ++k) cut_off(mesh, tubes, k, ends[k]);
   return mesh;
+}
+
+/// Tubes of one radius and length.
+TriMesh junction_towards(const Request& request, const std::vector<Eigen::Vector3d>& directions) {
+  std::vector<Arm> arms;
+  for (const Eigen::Vector3d& direction : directions) {
+    arms.push_back({direction, request.at("length"), request.at("radius")});
+  }
+  return junction_of(request, arms);
+}
+
+Arm arm_of(const Request& request, const std::vector<double>& numbers) {
+  const std::size_t n = numbers.size();
+  if (n < 3 || n > 5) {
+    throw InvalidOption(concat("make_shape: ", request.shape,
+                               ": an arm is x y z [length [radius]], ",
+                               "three to five numbers, not ", n));
+  }
+  const Arm arm = {.direction = {numbers[0], numbers[1], numbers[2]},
+                   .length = n > 3 ? numbers[3] : request.at("length"),
+                   .radius = n > 4 ? numbers[4] : request.at("radius")};
+  if (arm.direction.isZero(0.0) || !(arm.length > 0.0) || !(arm.radius > 0.0)) {
+    throw InvalidOption(concat("make_shape: ", request.shape,
+                               ": an arm needs a direction, and a length and radius > 0"));
+  }
+  return arm;
 }
 
 /// Tubes along segments that repeat with a lattice.
@@ -142,9 +174,11 @@ TriMesh network(const Request& request, const Lattice& lattice, const std::vecto
   std::vector<Segment> images = edges;
   const double reach = 2.0 * (radius + request.at("neck")) + request.at("a");
   for (const Eigen::Vector3d& shift : lattice.translations_within(reach)) {
-    for (const Segment& edge : edges) images.push_back({edge.from + shift, edge.to + shift});
+    for (const Segment& edge : edges) {
+      images.push_back({edge.from + shift, edge.to + shift, radius});
+    }
   }
-  const JoinedTubes tubes(std::move(images), radius, request.at("neck"));
+  const JoinedTubes tubes(std::move(images), request.at("neck"));
   return polygonize({.value = tubes, .box = {}, .lattice = lattice}, request.edge_length);
 }
 
@@ -152,29 +186,40 @@ TriMesh network(const Request& request, const Lattice& lattice, const std::vecto
 
 TriMesh y_junction(const Request& request) {
   const double sine = 0.5 * std::sqrt(3.0);
-  return junction(request, {{1.0, 0.0, 0.0}, {-0.5, sine, 0.0}, {-0.5, -sine, 0.0}});
+  return junction_towards(request, {{1.0, 0.0, 0.0}, {-0.5, sine, 0.0}, {-0.5, -sine, 0.0}});
 }
 
 TriMesh t_junction(const Request& request) {
-  return junction(request, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+  return junction_towards(request, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
 }
 
 TriMesh x_junction(const Request& request) {
-  return junction(request, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}});
+  return junction_towards(request,
+                          {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}});
 }
 
 TriMesh tetrapod(const Request& request) {
-  return junction(request,
-                  {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}});
+  return junction_towards(
+      request, {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}});
 }
 
 TriMesh six_arm_junction(const Request& request) {
-  return junction(request, {{1.0, 0.0, 0.0},
-                            {-1.0, 0.0, 0.0},
-                            {0.0, 1.0, 0.0},
-                            {0.0, -1.0, 0.0},
-                            {0.0, 0.0, 1.0},
-                            {0.0, 0.0, -1.0}});
+  return junction_towards(request, {{1.0, 0.0, 0.0},
+                                    {-1.0, 0.0, 0.0},
+                                    {0.0, 1.0, 0.0},
+                                    {0.0, -1.0, 0.0},
+                                    {0.0, 0.0, 1.0},
+                                    {0.0, 0.0, -1.0}});
+}
+
+TriMesh junction(const Request& request) {
+  if (request.lists.empty()) {
+    throw InvalidOption(
+        "make_shape: junction needs arms, as in 'junction:arm=1 0 0,arm=-1 0 0,arm=0 1 1'");
+  }
+  std::vector<Arm> arms;
+  for (const std::vector<double>& numbers : request.lists) arms.push_back(arm_of(request, numbers));
+  return junction_of(request, arms);
 }
 
 TriMesh cubic_network(const Request& request) {
@@ -182,7 +227,8 @@ TriMesh cubic_network(const Request& request) {
   const Eigen::Vector3d node = Eigen::Vector3d::Zero();
   std::vector<Segment> edges;
   edges.reserve(3);
-  for (int k = 0; k < 3; ++k) edges.push_back({node, a * Eigen::Vector3d::Unit(k)});
+  const double radius = request.at("radius");
+  for (int k = 0; k < 3; ++k) edges.push_back({node, a * Eigen::Vector3d::Unit(k), radius});
   return network(request, Lattice(a * Eigen::Matrix3d::Identity(), {true, true, true}), edges);
 }
 
@@ -196,7 +242,7 @@ TriMesh diamond_network(const Request& request) {
     for (const Eigen::Vector3d& step :
          {Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d(1.0, -1.0, -1.0),
           Eigen::Vector3d(-1.0, 1.0, -1.0), Eigen::Vector3d(-1.0, -1.0, 1.0)}) {
-      edges.push_back({node, node + 0.25 * a * step});
+      edges.push_back({node, node + 0.25 * a * step, request.at("radius")});
     }
   }
   return network(request, Lattice(a * Eigen::Matrix3d::Identity(), {true, true, true}), edges);
@@ -213,8 +259,10 @@ TriMesh honeycomb_network(const Request& request) {
   const Lattice lattice(cell, {true, true, false});
   const Eigen::Vector3d first = Eigen::Vector3d::Zero();
   const Eigen::Vector3d second = (cell.col(0) + cell.col(1)) / 3.0;
-  const std::vector<Segment> edges = {
-      {first, second}, {first, second - cell.col(0)}, {first, second - cell.col(1)}};
+  const double radius = request.at("radius");
+  const std::vector<Segment> edges = {{first, second, radius},
+                                      {first, second - cell.col(0), radius},
+                                      {first, second - cell.col(1), radius}};
   return network(request, lattice, edges);
 }
 

@@ -20,6 +20,7 @@ inline constexpr double unit_triangle_height = 0.5 * std::numbers::sqrt3;
 struct Request {
   std::string_view shape;
   std::map<std::string, double, std::less<>> values;
+  std::vector<std::vector<double>> lists = {};  ///< of the parameter that is one, in their order
   double edge_length = 0.0;
 
   [[nodiscard]] double at(std::string_view name) const { return values.find(name)->second; }

@@ -1,5 +1,6 @@
 #include "trivalent/remesh/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sources/built_in_shapes.h"
@@ -26,6 +27,11 @@ const std::vector<BuiltInShape>& shape_table() {
       {"length", 4.0, "from the middle to the hemisphere that closes an arm, or to its open end"},
       {"neck", 1.0, "radius of the fillets between arms, about"},
       {"open", 0.0, "1: arms are open; 0: closed"}};
+  std::vector<ShapeParameter> any_arms = arms;
+  any_arms.push_back({"arm", 0.0,
+                      "direction x y z of an arm, its length and radius if they differ; "
+                      "once for each arm, as in 'junction:arm=1 0 0,arm=-1 0 0,arm=0 1 1 6 0.8'",
+                      true});
   const auto tubes = [](double edge) {
     return std::vector<ShapeParameter>{{"a", edge, "edge of the cell"},
                                        {"radius", 1.0, "radius of the tubes"},
@@ -64,6 +70,7 @@ const std::vector<BuiltInShape>& shape_table() {
       {{"x-junction", "two tubes that cross at right angles", arms}, x_junction},
       {{"tetrapod", "four tubes towards the corners of a tetrahedron", arms}, tetrapod},
       {{"six-arm-junction", "three tubes that cross at right angles", arms}, six_arm_junction},
+      {{"junction", "any number of tubes that meet", any_arms}, junction},
       {{"cubic-network", "periodic: tubes along the edges of a cubic lattice", tubes(6.0)},
        cubic_network},
       {{"diamond-network", "periodic: tubes along the bonds of diamond, in its cubic cell",
@@ -116,21 +123,30 @@ const BuiltInShape& find_shape(std::string_view name) {
 }
 
 Request request_for(const ShapeDescription& shape, const std::vector<ShapeArgument>& arguments) {
-  Request request{shape.name, {}, 0.0};
+  Request request = {.shape = shape.name, .values = {}};
   for (const ShapeParameter& parameter : shape.parameters) {
-    request.values[parameter.name] = parameter.default_value;
+    if (!parameter.is_list) request.values[parameter.name] = parameter.default_value;
   }
   for (const ShapeArgument& argument : arguments) {
-    const auto found = request.values.find(argument.name);
-    if (found == request.values.end()) {
+    const auto known = std::ranges::find(shape.parameters, argument.name, &ShapeParameter::name);
+    if (known == shape.parameters.end()) {
       throw InvalidOption(concat("make_shape: ", shape.name, " has no parameter '", argument.name,
                                  "'; it has ", names_of(shape.parameters)));
     }
-    if (!std::isfinite(argument.value)) {
+    if (known->is_list == argument.list.empty()) {
+      throw InvalidOption(concat("make_shape: ", shape.name, ": ", argument.name, " is ",
+                                 known->is_list ? "a list of numbers" : "one number"));
+    }
+    const auto is_finite = [](double value) { return std::isfinite(value); };
+    if (!is_finite(argument.value) || !std::ranges::all_of(argument.list, is_finite)) {
       throw InvalidOption(
           concat("make_shape: ", shape.name, ": ", argument.name, " must be a finite number"));
     }
-    found->second = argument.value;
+    if (known->is_list) {
+      request.lists.push_back(argument.list);
+    } else {
+      request.values[argument.name] = argument.value;
+    }
   }
   return request;
 }

@@ -13,6 +13,7 @@ struct ShapeParameter {
   std::string name;
   double default_value = 0.0;  ///< in the shape's own unit of length
   std::string meaning;
+  bool is_list = false;  ///< several numbers; may be given several times, and has no default
 };
 
 /// A built-in surface.
@@ -32,6 +33,7 @@ struct ShapeDescription {
 struct ShapeArgument {
   std::string name;
   double value = 0.0;
+  std::vector<double> list = {};  ///< instead, of a parameter that is a list
 };
 
 /// Makes a built-in shape; omitted parameters take their defaults.
