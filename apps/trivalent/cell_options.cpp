@@ -12,7 +12,7 @@ void add_cell_options(po::options_description& options) {
       ("cell", po::value<std::string>(),
        "a[,b,c[,alpha,beta,gamma]]: the periodic cell of a formula, or of a mesh file that shows "
        "one cell and is open where it goes on in the next; lengths in the input's unit, angles in "
-       "degree, formulas allowed: 2*pi")  //
+       "degree, formulas allowed: 2*pi; or the nine coordinates of the cell vectors")  //
       ("formula", po::value<std::string>(),
        "in place of SHAPE: the surface where a function of x, y and z has the value --level, such "
        "as \"cos(x)+cos(y)+cos(z)\"")  //

@@ -208,6 +208,9 @@ TEST(ReadSurface, TakesFormulasInACell) {
 TEST(ParseCell, TakesLengthsAnglesAndFormulas) {
   const Eigen::Matrix3d cube = parse_cell("2*pi");
   EXPECT_TRUE(cube.isApprox(2.0 * std::numbers::pi * Eigen::Matrix3d::Identity()));
+  Eigen::Matrix3d vectors;
+  vectors << 1, 4, 7, 2, 5, 8, 3, 6, 10;
+  EXPECT_EQ(parse_cell("1,2,3,4,5,6,7,8,10"), vectors);
   const Eigen::Matrix3d hexagonal = parse_cell("3,3,5,90,90,120");
   EXPECT_NEAR(hexagonal.determinant(), 45.0 * std::sqrt(0.75), 1e-9);
   for (const char* wrong : {"", "1,2", "1,-1,1", "1,1,1,90,90", "a", "1,1,1,10,10,90", "x"}) {

@@ -184,13 +184,15 @@ remesh::Lattice::Cell parse_cell(const std::string& text) {
   for (const std::string& word : comma_separated(text)) {
     numbers.push_back(remesh::number_of_formula(word));
   }
+  constexpr std::size_t n_of_vectors = 9;
+  if (numbers.size() == n_of_vectors) return Eigen::Map<const Eigen::Matrix3d>(numbers.data());
   if (numbers.size() == 1) numbers.resize(3, numbers[0]);
   if (numbers.size() == 3) numbers.resize(6, 90.0);
   const auto is_length = [](double x) { return x > 0.0; };
   if (numbers.size() != 6 || !std::all_of(numbers.begin(), numbers.begin() + 3, is_length)) {
     throw remesh::InvalidOption(
         "a cell is a, or a,b,c or a,b,c,alpha,beta,gamma with positive "
-        "lengths and angles in degree, not '" +
+        "lengths and angles in degree, or nine coordinates of its vectors, not '" +
         text + "'");
   }
   const Eigen::Matrix3d cell = dual::cell_of({.lengths = {numbers[0], numbers[1], numbers[2]},

@@ -59,9 +59,10 @@ struct CellOptions {
 };
 
 /// Reads a cell: a, or a,b,c or a,b,c,alpha,beta,gamma, lengths in the surface's unit, angles in
-/// degree; each a formula such as 2*pi. a lies along x, b in the xy plane.
+/// degree; a lies along x then, b in the xy plane. Or nine coordinates of the vectors, one vector
+/// after the other. Each number is a formula such as 2*pi.
 ///
-/// @throws remesh::InvalidOption if it is no such cell, or has no volume.
+/// @throws remesh::InvalidOption if it is no such cell, or lengths and angles have no volume.
 [[nodiscard]] remesh::Lattice::Cell parse_cell(const std::string& text);
 
 /// Reads what a .raw file holds: nx,ny,nz,type with a spacing, or one for each axis, behind.
