@@ -46,8 +46,20 @@ TEST_F(ThinParts, LeavesASoundNetAlone) {
   unfold(net_);
   mend_thin_parts(net_, original_, length);
   part_sheets(net_);
+  smooth_crossings(net_);
   EXPECT_EQ(triangles_of(mesh_), faces);
   for (const auto v : mesh_.vertices()) ASSERT_EQ(mesh_.point(v), original_.point(v));
+}
+
+TEST_F(ThinParts, SmoothsFacesThatCross) {
+  const Eigen::Vector3d beyond =
+      mesh_.point(*mesh_.vv_begin(VertexHandle(50))) * 2.5 - mesh_.point(VertexHandle(50)) * 1.5;
+  mesh_.point(VertexHandle(50)) = beyond;
+  ASSERT_GT(measure_quality(mesh_).self_intersections, 0);
+  smooth_crossings(net_);
+  EXPECT_EQ(measure_quality(mesh_).self_intersections, 0);
+  // Far from there nothing moves.
+  EXPECT_EQ(mesh_.point(VertexHandle(0)), original_.point(VertexHandle(0)));
 }
 
 TEST_F(ThinParts, SplitsWhatIsStretchedAndCollapsesWhatIsPressed) {

@@ -164,4 +164,36 @@ void part_sheets(ConstrainedMesh& constrained) {
   }
 }
 
+void smooth_crossings(ConstrainedMesh& constrained) {
+  constexpr int max_idle_steps = 20;
+  TriMesh& mesh = constrained.mesh;
+  const std::size_t all = mesh.n_faces();
+  CrossingFaces crossing = find_crossing_faces(mesh, all);
+  std::vector<Eigen::Vector3d> best(mesh.points(), mesh.points() + mesh.n_vertices());
+  std::size_t fewest = crossing.count;
+  for (int idle = 0; idle < max_idle_steps && crossing.count > 0; ++idle) {
+    std::vector<char> moves(mesh.n_vertices(), 0);
+    for (const auto& pair : crossing.first) {
+      for (const int f : pair) {
+        for (const auto v : mesh.fv_range(FaceHandle(f))) {
+          moves[index(v)] = 1;
+          for (const auto neighbor : mesh.vv_range(v)) moves[index(neighbor)] = 1;
+        }
+      }
+    }
+    for (const auto v : mesh.vertices()) {
+      if (moves[index(v)] == 0 || constrained.anchor(v).kind != FeatureKind::none) continue;
+      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+      for (const auto neighbor : mesh.vv_range(v)) middle += position_beside(mesh, v, neighbor);
+      mesh.point(v) = 0.5 * (mesh.point(v) + middle / mesh.valence(v));
+    }
+    crossing = find_crossing_faces(mesh, all);
+    if (crossing.count >= fewest) continue;
+    fewest = crossing.count;
+    idle = 0;
+    best.assign(mesh.points(), mesh.points() + mesh.n_vertices());
+  }
+  for (const auto v : mesh.vertices()) mesh.point(v) = best[index(v)];
+}
+
 }  // namespace trivalent::remesh

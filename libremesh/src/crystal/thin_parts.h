@@ -22,4 +22,10 @@ void mend_thin_parts(ConstrainedMesh& constrained, const TriMesh& surface, doubl
 /// two sheets cross though all vertices are on the surface. Vertices on feature curves stay.
 void part_sheets(ConstrainedMesh& constrained);
 
+/// Smooths what still crosses: vertices of crossing faces and their neighbors move to the middle of
+/// theirs, off the surface, as long as fewer faces cross after it. Mends folds between small parts
+/// of a surface, which the normals of the surface do not tell from others. Vertices on feature
+/// curves stay.
+void smooth_crossings(ConstrainedMesh& constrained);
+
 }  // namespace trivalent::remesh
