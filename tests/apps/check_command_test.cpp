@@ -39,6 +39,23 @@ TEST_F(CheckCommand, NamesWhatIsWrong) {
   EXPECT_NE(vacancy.out.find("energies in the file"), std::string::npos) << vacancy.out;
 }
 
+TEST_F(CheckCommand, FindsWhatWasChangedInAFile) {
+  succeed("build sphere -o out --atoms 300 --method paper");
+  const auto expect_problem = [&](const std::string& words, const std::string& script) {
+    write("changed.extxyz", shell("awk '" + script + "' out/shell.extxyz").out);
+    const Outcome run = trivalent("check changed.extxyz");
+    EXPECT_EQ(run.exit_code, 1) << script;
+    EXPECT_NE(run.out.find(words), std::string::npos) << run.out;
+  };
+  expect_problem("the energy in the file", "{sub(/ energy=[-0-9.]+/, \" energy=-600\")} 1");
+  // Columns: species, position, coordination, three rings, component, energy, forces, ...
+  expect_problem("the energies in the file", "NR == 9 {$10 += 0.1} 1");
+  expect_problem("the forces in the file", "NR == 9 {$11 += 0.1} 1");
+  expect_problem("bonds of the file are not used", "NR == 9 {$NF = 1 + $NF % 300} 1");
+  write("none.xyz", "0\n\n");
+  expect_failure(1, "no atoms", "check none.xyz");
+}
+
 TEST_F(CheckCommand, AllowsAnEdgeIfItIsMeant) {
   succeed("build open-tube -o out --atoms 300 --method paper");
   EXPECT_EQ(trivalent("check out/shell.extxyz").exit_code, 1);

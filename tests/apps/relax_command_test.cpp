@@ -128,7 +128,7 @@ TEST_F(RelaxCommand, TakesNoCheckpointOfAnotherRelaxation) {
 TEST_F(RelaxCommand, KeepsFixedAtoms) {
   succeed("shape sphere s.off --edge 0.3");
   succeed("dual s.off s.extxyz");
-  succeed("relax s.off -o out.extxyz --fix ids:1-2,5 --fix sphere:0,0,1000,1");
+  succeed("relax s.off -o out.extxyz --fix ids:1-2 --fix ids:2,5");
   const auto line = [&](const std::string& name, int atom) {
     std::istringstream in(content(name));
     std::string text;
@@ -137,6 +137,17 @@ TEST_F(RelaxCommand, KeepsFixedAtoms) {
   };
   for (const int id : {1, 2, 5}) EXPECT_EQ(line("out.extxyz", id), line("s.extxyz", id));
   EXPECT_NE(line("out.extxyz", 3), line("s.extxyz", 3));
+}
+
+TEST_F(RelaxCommand, ObeysSelectiveDynamics) {
+  write("a.vasp",
+        "acetylene\n1\n9 0 0\n0 9 0\n0 0 9\nC H\n2 2\nSelective\nCartesian\n"
+        "4 4 4 T T T\n5.3 4 4 T T T\n3 4.1 4 F F F\n6.3 4 4 T F T\n");
+  const Outcome run = trivalent("relax a.vasp -o b.xyz");
+  EXPECT_NE(run.err.find("1 atoms stay"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("1 atoms move along all axes"), std::string::npos) << run.err;
+  EXPECT_NE(content("b.xyz").find("H 3.0000000000 4.1000000000 4.0000000000"), std::string::npos)
+      << content("b.xyz");
 }
 
 #ifdef TRIVALENT_LMP
@@ -214,8 +225,8 @@ TEST_F(RelaxCommand, TellsWhatLammpsComplainsAbout) {
   succeed("shape sphere s.off --edge 0.3");
   write("broken.rebo", "nothing\n");
   const std::string command = "relax s.off -o out.extxyz --engine lammps ";
-  expect_failure(1, "ERROR", command + "--relax-box");  // nothing is periodic
   expect_failure(1, "LAMMPS failed", command + "--potential-file broken.rebo");
+  expect_failure(1, "ERROR", command + "--potential-file broken.rebo");
   expect_failure(2, "--minimizer", command + "--minimizer lbfgs");
   expect_failure(2, "--trajectory", command + "--trajectory t.extxyz");
   expect_failure(2, "lj", command + "--potential lj");
@@ -247,6 +258,9 @@ TEST_F(RelaxCommand, RefusesWhatMakesNoSense) {
   expect_failure(2, "max_force", "relax s.off -o out.extxyz --max-force 0");
   expect_failure(2, "--fix", "relax s.off -o out.extxyz --fix ids:0");
   expect_failure(2, "--fix", "relax s.off -o out.extxyz --fix corner");
+  expect_failure(2, "no such atom", "relax s.off -o out.extxyz --fix sphere:0,0,1000,1");
+  expect_failure(2, "no such atom", "relax s.off -o out.extxyz --fix edge");
+  expect_failure(2, "no periodic cell", "relax s.off -o out.extxyz --relax-box");
   expect_failure(2, "--every", "relax s.off -o out.extxyz --every 0");
   EXPECT_FALSE(has("out.extxyz"));
 }

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -216,6 +218,14 @@ TEST(Pdb, TakesTheUnitCubeForNoCell) {
   EXPECT_FALSE(file_of("a.pdb", cube + pdb_atom).structure.atoms.box.is_periodic());
 }
 
+TEST(Pdb, SaysThatItAppliesNoSpaceGroup) {
+  const std::string cell =
+      "CRYST1    9.000    9.000    9.000  90.00  90.00  90.00 P 21/c        4\n";
+  const StructureFile file = file_of("a.pdb", cell + pdb_atom);
+  ASSERT_EQ(file.notes.size(), 1u);
+  EXPECT_NE(file.notes[0].find("P 21/c"), std::string::npos);
+}
+
 const std::string cell_of_cif =
     "data_a\n_cell_length_a 4\n_cell_length_b 4\n_cell_length_c 4\n_cell_angle_alpha 90\n"
     "_cell_angle_beta 90\n_cell_angle_gamma 90\n";
@@ -252,6 +262,9 @@ TEST(Cif, WritesASpaceGroupAndReadsAllAtomsBack) {
   const auto path = folder.path() / "diamond.cif";
   const auto notes = write_structure(path, diamond, {.symmetry_tolerance = 1e-3});
   EXPECT_NE(notes.back().find("1 sites for 8 atoms"), std::string::npos);
+  std::ifstream written(path);
+  const std::string text(std::istreambuf_iterator<char>(written), {});
+  EXPECT_NE(text.find("_space_group_IT_number 227"), std::string::npos);
   const Structure back = shell::read_structure(path).structure;
   EXPECT_EQ(back.atoms.size(), 8u);
   EXPECT_NEAR(potentials::rebo(back.atoms).energy, potentials::rebo(diamond.atoms).energy, 1e-8);
@@ -360,6 +373,8 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
            {"a.pdb", pdb_atom + pdb_atom + "CONECT    1    1\n", "line 3: several atoms"},
            {"a.pdb", "CRYST1    9.000    9.000    9.000  10.00  10.00 170.00 P 1\n" + pdb_atom,
             "line 1: no cell"},
+           {"a.pdb", "HETATM    1  C  BUNL A   1       1.000   2.000   3.000\n",
+            "line 1: the atom has another place"},
            {"a.mol2", mol2 + "1 C 0 0 0\n", "line 7: expected id"},
            {"a.mol2", mol2 + "1 C 0 0 0 Si\n", "line 7: type"},
            {"a.mol2", mol2 + "1 C 0 0 0 C.ar\n@<TRIPOS>BOND\n1 1 2 ar\n",
@@ -376,6 +391,7 @@ TEST(AtomFormats, NameTheLineOfEveryFault) {
             "line 4: alat"},
            {"a.pwi", "nat = 1\nATOMIC_POSITIONS bohr\nC 0 0 0\n", "CELL_PARAMETERS"},
            {"a.inp", "@INCLUDE other\n", "line 1: @INCLUDE"},
+           {"a.inp", "&CELL\nMULTIPLE_UNIT_CELL 2 1 1\n&END\n", "line 2: MULTIPLE_UNIT_CELL"},
            {"a.inp", "&COORD\nSi 0 0 0\n&END\n", "line 2: element"},
            {"a.inp", "&COORD\nUNIT furlong\nC 0 0 0\n&END\n", "line 2: the unit"},
            {"a.cif", cell_of_cif + sites + "Si1 0 0 0\n", "site Si1: element"},

@@ -1,4 +1,5 @@
 #include "bond_columns.h"
+#include "trivalent/formats/structure_file.h"
 
 #include <algorithm>
 #include <array>
@@ -104,7 +105,7 @@ void take_bonds(const BondColumns& columns, Structure& structure, std::vector<st
   Entries entries = read_entries(columns, structure.atoms.size());
   if (!entries.fault) entries.fault = find_asymmetry(entries.all);
   if (entries.fault) {
-    notes.push_back(concat("the bonds of the file are not used: ", *entries.fault));
+    notes.push_back(concat(unused_bonds, *entries.fault));
     return;
   }
   std::vector<Bond> bonds;

@@ -65,6 +65,8 @@ class Cp2kReader {
     } else if (word == "alpha_beta_gamma") {
       const Eigen::Vector3d angles = vector();
       parameters_.angles = {angles[0], angles[1], angles[2]};
+    } else if (word == "multiple_unit_cell") {
+      lines_.fail("MULTIPLE_UNIT_CELL is not applied; give the supercell itself");
     } else if (word == "periodic" && fields_.size() > 1) {
       const std::string axes = lower_case(fields_[1]);
       for (std::size_t i = 0; i < 3; ++i) {

@@ -35,6 +35,11 @@ class PdbReader {
     if (!wanted && n_models_ > 1) {
       file.notes.push_back(concat("the last of ", n_models_, " structures is taken"));
     }
+    if (!space_group_.empty() && space_group_ != "P 1" && space_group_ != "P1") {
+      file.notes.push_back(concat("the space group ", in_quotes(space_group_),
+                                  " is not applied: the atoms of the file are taken as all of the "
+                                  "cell's"));
+    }
     add_bonds();
     file.structure = std::move(structure_);
     return file;
@@ -75,9 +80,14 @@ class PdbReader {
       lines_.fail("no cell has these lengths and angles");
     }
     box.periodic = {true, true, true};
+    space_group_ = columns_of(line, 55, 66);
   }
 
   void read_atom(std::string_view line) {
+    if (const std::string_view place = columns_of(line, 16, 17); !place.empty() && place != "A") {
+      lines_.fail("the atom has another place too (alternate location ", in_quotes(place),
+                  "); keep one of them");
+    }
     const std::string_view symbol = columns_of(line, 76, 78);
     const std::string_view name = columns_of(line, 12, 16);
     const auto element = symbol.empty() ? element_of_name(name) : element_of_symbol(symbol);
@@ -123,6 +133,7 @@ class PdbReader {
   LineReader lines_;
   std::optional<int> wanted_;
   int n_models_ = 0;
+  std::string_view space_group_;
   Structure structure_;
   std::unordered_map<std::string_view, int> atom_of_serial_;
   std::vector<std::array<int, 2>> pairs_;

@@ -20,7 +20,7 @@ namespace {
 
 using potentials::Species;
 
-constexpr std::string_view flags_name = "selective_dynamics";
+constexpr std::string_view flags_name = selective_dynamics;
 
 /// Whether a line begins with one of these letters, in any case: all that VASP looks at.
 bool begins_with(std::string_view line, std::string_view letters) {

@@ -184,12 +184,17 @@ class CifReader {
   }
 
   void read_cartesian_sites() {
-    cif::Table table = block_.find("_atom_site.", {"type_symbol", "Cartn_x", "Cartn_y", "Cartn_z",
-                                                   "?occupancy", "?pdbx_PDB_model_num"});
+    cif::Table table =
+        block_.find("_atom_site.", {"type_symbol", "Cartn_x", "Cartn_y", "Cartn_z", "?occupancy",
+                                    "?pdbx_PDB_model_num", "?label_alt_id"});
     std::string model;
     for (const cif::Table::Row row : table) {
       const std::string label = concat("number ", file_.structure.atoms.size() + 1);
       check_occupancy(row, 4, label);
+      if (row.has2(6) && row.str(6) != "A") {
+        fail("atom ", label, " has another place too (alternate location ", in_quotes(row.str(6)),
+             "); keep one of them");
+      }
       if (row.has2(5) && row.str(5) != model) {
         model = row.str(5);  // the last model is taken
         file_.structure.atoms.positions.clear();

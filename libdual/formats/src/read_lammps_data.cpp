@@ -282,7 +282,7 @@ void DataReader::add_bonds(StructureFile& file) const {
       continue;
     }
     file.notes.push_back(
-        concat("the bonds of the file are not used: line ", bond.line,
+        concat(unused_bonds, "line ", bond.line,
                " is a second bond of two atoms, and the file does not say which images they join"));
     return;
   }

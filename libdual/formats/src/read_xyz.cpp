@@ -200,7 +200,7 @@ class FrameReader {
     }
     if (bonds.width == 0) return;
     if (!bonds.images.empty() && bonds.images.size() != 3 * bonds.atoms.size()) {
-      file.notes.push_back(concat("the bonds of the file are not used: ", BondColumns::images_name,
+      file.notes.push_back(concat(unused_bonds, BondColumns::images_name,
                                   " needs three numbers for each of ", BondColumns::atoms_name));
       return;
     }

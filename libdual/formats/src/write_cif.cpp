@@ -24,6 +24,7 @@ using potentials::Species;
 struct CifContent {
   Eigen::Matrix3d cell;
   std::string space_group = "P 1";  ///< Hermann-Mauguin
+  int number = 1;                   ///< of the space group
   std::vector<std::string> operations = {"x,y,z"};
   std::vector<Vector3d> fractions = {};  ///< of the sites
   std::vector<Species> species = {};
@@ -46,8 +47,8 @@ void write_content(std::ostream& out, const CifContent& content) {
     append_real(text, parameters.angles[k], Digits::seventeen_significant);
     text += '\n';
   }
-  text += concat("_space_group_name_H-M_alt '", content.space_group,
-                 "'\nloop_\n_space_group_symop_operation_xyz\n");
+  text += concat("_space_group_name_H-M_alt '", content.space_group, "'\n_space_group_IT_number ",
+                 content.number, "\nloop_\n_space_group_symop_operation_xyz\n");
   for (const std::string& operation : content.operations) text += concat('\'', operation, "'\n");
   text +=
       "loop_\n_atom_site_label\n_atom_site_type_symbol\n_atom_site_fract_x\n_atom_site_fract_y\n"
@@ -176,6 +177,7 @@ CifContent symmetric_content(const CellFrame& frame, const potentials::Atoms& at
   gemmi::GroupOps group = gemmi::split_centering_vectors(operations);
   const gemmi::SpaceGroup* known = gemmi::find_spacegroup_by_ops(group);
   content.space_group = known != nullptr ? known->xhm() : dataset->international_symbol;
+  content.number = dataset->spacegroup_number;
   content.operations.clear();
   for (const gemmi::Op& operation : operations) content.operations.push_back(operation.triplet());
   add_sites(*dataset, operations, tolerance, content);

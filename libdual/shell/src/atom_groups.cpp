@@ -81,8 +81,9 @@ void mark_region(std::string_view numbers, std::string_view group, const potenti
 std::vector<std::uint32_t> atoms_in_groups(const std::vector<std::string>& groups,
                                            const potentials::Atoms& atoms,
                                            const std::vector<potentials::Bond>& bonds) {
-  Marks marks(atoms.size(), false);
+  Marks all(atoms.size(), false);
   for (const std::string& group : groups) {
+    Marks marks(atoms.size(), false);
     const std::size_t colon = std::min(group.find(':'), group.size());
     const std::string_view kind = std::string_view(group).substr(0, colon);
     const std::string_view rest = std::string_view(group).substr(std::min(colon + 1, group.size()));
@@ -95,10 +96,14 @@ std::vector<std::uint32_t> atoms_in_groups(const std::vector<std::string>& group
     } else {
       complain(group);
     }
+    if (std::ranges::count(marks, true) == 0) {
+      throw dual::InvalidOption("--fix " + group + ": there is no such atom");
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || marks[i];
   }
   std::vector<std::uint32_t> fixed;
-  for (std::uint32_t i = 0; i < marks.size(); ++i) {
-    if (marks[i]) fixed.push_back(i);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (all[i]) fixed.push_back(i);
   }
   return fixed;
 }

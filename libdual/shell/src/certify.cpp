@@ -102,20 +102,48 @@ void check_topology(const dual::Structure& structure, ShellEdge edge, Certificat
   }
 }
 
-/// Energies that the file claims.
+/// The values of a column, if the file has one of that name and type.
+template <typename Value>
+const std::vector<Value>* find_column(const dual::Structure& structure, std::string_view name) {
+  const auto found = std::ranges::find(structure.columns, name, &dual::Column::name);
+  if (found == structure.columns.end()) return nullptr;
+  return std::get_if<std::vector<Value>>(&found->values);
+}
+
+/// The total energy of a file with energies of its atoms [eV]. Others may be of any method.
+void compare_total_energy(const dual::Structure& structure, Certificate& certificate) {
+  const auto entry = std::ranges::find(structure.header, "energy", &dual::HeaderEntry::key);
+  if (entry == structure.header.end()) return;
+  const auto* claimed = std::get_if<double>(&entry->value);
+  const auto n_atoms = static_cast<double>(structure.atoms.size());
+  if (claimed != nullptr && std::abs(*claimed - certificate.energy.energy) > 1e-5 * n_atoms) {
+    certificate.problems.push_back("the energy in the file, " + decimals(*claimed, 8) +
+                                   " eV, is not that of its atoms");
+  }
+}
+
+/// Energies and forces that the file claims.
 void compare_with_file(const dual::Structure& structure, Certificate& certificate) {
-  if (certificate.other_potential) return;
-  for (const dual::Column& column : structure.columns) {
-    const auto* claimed = std::get_if<std::vector<double>>(&column.values);
-    if (column.name != "energies" || claimed == nullptr) continue;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < claimed->size(); ++i) {
-      const double difference = std::abs((*claimed)[i] - certificate.energy.energies[i]);
-      largest = std::max(largest, difference / (1.0 + std::abs((*claimed)[i])));
-    }
-    if (largest > 1e-5) {
-      certificate.problems.push_back("the energies in the file are not those of its atoms");
-    }
+  const auto* energies = find_column<double>(structure, "energies");
+  if (certificate.other_potential || energies == nullptr) return;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < energies->size(); ++i) {
+    const double difference = std::abs((*energies)[i] - certificate.energy.energies[i]);
+    largest = std::max(largest, difference / (1.0 + std::abs((*energies)[i])));
+  }
+  if (largest > 1e-5) {
+    certificate.problems.push_back("the energies in the file are not those of its atoms");
+  }
+  compare_total_energy(structure, certificate);
+  const auto* forces = find_column<Eigen::Vector3d>(structure, "forces");
+  if (forces == nullptr) return;
+  largest = 0.0;
+  for (std::size_t i = 0; i < forces->size(); ++i) {
+    const Eigen::Vector3d& force = certificate.energy.forces[i];
+    largest = std::max(largest, ((*forces)[i] - force).norm() / (1.0 + force.norm()));
+  }
+  if (largest > 1e-3) {
+    certificate.problems.push_back("the forces in the file are not those of its atoms");
   }
 }
 
@@ -185,6 +213,7 @@ void check_options(const CertifyOptions& options) {
 
 Certificate certify(const dual::Structure& structure, const CertifyOptions& options) {
   check_options(options);
+  if (structure.atoms.size() == 0) throw dual::InvalidNetwork("certify: there are no atoms");
   Certificate certificate;
   certificate.potential = options.potential.title();
   certificate.other_potential = potential_title(structure);
@@ -192,7 +221,7 @@ Certificate certify(const dual::Structure& structure, const CertifyOptions& opti
   certificate.bonds = structure.bonds.empty() ? BondSource::distance : BondSource::file;
   check_topology(structure, options.edge, certificate);
   check_energies(structure, options, certificate);
-  if (options.surface && structure.atoms.size() > 0) {
+  if (options.surface) {
     certificate.surface_distance =
         summarize(remesh::distances_to_surface(structure.atoms.positions, *options.surface));
   }

@@ -9,6 +9,7 @@
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
 #include "trivalent/dual/walls.h"
+#include "trivalent/formats/poscar.h"
 #include "trivalent/shell/atom_groups.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/reports.h"
@@ -48,11 +49,44 @@ std::vector<potentials::Bond> bonds_of(const dual::Structure& structure,
   return std::move(guess.bonds);
 }
 
+/// The atoms that stay: those of the options' groups, and those that no axis of the file's
+/// selective dynamics lets move.
+std::vector<std::uint32_t> fixed_atoms(const dual::Structure& structure,
+                                       const std::vector<potentials::Bond>& bonds,
+                                       const RelaxOptions& options) {
+  std::vector<std::uint32_t> fixed = atoms_in_groups(options.fixed, structure.atoms, bonds);
+  const auto column =
+      std::ranges::find(structure.columns, dual::selective_dynamics, &dual::Column::name);
+  if (column == structure.columns.end()) return fixed;
+  const auto* moves = std::get_if<std::vector<std::array<int, 3>>>(&column->values);
+  if (moves == nullptr) return fixed;
+  int n_held = 0;
+  int n_partly = 0;
+  for (std::uint32_t i = 0; i < moves->size(); ++i) {
+    const auto n_axes = std::ranges::count_if((*moves)[i], [](int flag) { return flag != 0; });
+    if (n_axes == 0) {
+      fixed.push_back(i);
+      ++n_held;
+    } else if (n_axes < 3) {
+      ++n_partly;
+    }
+  }
+  std::ranges::sort(fixed);
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  if (n_held > 0) {
+    note(options, std::to_string(n_held) + " atoms stay, as the file's selective dynamics say");
+  }
+  if (n_partly > 0) {
+    note(options, std::to_string(n_partly) +
+                      " atoms move along all axes, though the file's selective dynamics hold some");
+  }
+  return fixed;
+}
+
 /// A relaxation by our own minimizers, with what it leaves on disk.
 class OwnRelaxation {
  public:
-  /// @param bonds  of the structure, or guessed
-  OwnRelaxation(const dual::Structure& structure, const std::vector<potentials::Bond>& bonds,
+  OwnRelaxation(const dual::Structure& structure, std::vector<std::uint32_t> fixed,
                 const RelaxOptions& options)
       : options_(options), potential_(make_potential(options.potential)) {
     own_ = {.minimizer = options.minimizer,
@@ -60,7 +94,7 @@ class OwnRelaxation {
             .energy_change = options.energy_change,
             .max_steps = options.max_steps,
             .box = options.box,
-            .fixed = atoms_in_groups(options.fixed, structure.atoms, bonds),
+            .fixed = std::move(fixed),
             .bonds = structure.bonds,  // guessed ones may break and form
             .checkpoint_every = options.checkpoint_every};
     fingerprint_ = fingerprint(structure.atoms, own_, exact_text(options.potential));
@@ -128,14 +162,14 @@ class OwnRelaxation {
 };
 
 potentials::RelaxResult relax_with_lammps(const potentials::Atoms& atoms,
-                                          const std::vector<potentials::Bond>& bonds,
+                                          const std::vector<std::uint32_t>& fixed,
                                           const RelaxOptions& options) {
   const LammpsOptions run = lammps_options("relax", options.potential, options.lammps->run);
   return run_lammps(atoms,
                     {.style = options.lammps->style,
                      .max_force = options.max_force,
                      .max_steps = options.max_steps,
-                     .fixed = atoms_in_groups(options.fixed, atoms, bonds),
+                     .fixed = fixed,
                      .relax_box = options.box == potentials::BoxPolicy::pressure_free,
                      .folder = options.lammps->folder,
                      .on_progress = options.lammps->on_progress},
@@ -155,16 +189,20 @@ void update_network_columns(dual::Structure& structure) {
 
 RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   check_options(options);
+  if (options.box == potentials::BoxPolicy::pressure_free && !structure.atoms.box.is_periodic()) {
+    throw dual::InvalidOption("relax: the structure has no periodic cell that could relax");
+  }
   if (is_rebo(options.potential) && !dual::walls_of(structure).empty()) {
     note(options, "the structure has several walls, which REBO does not hold apart; AIREBO does");
   }
   const auto bonds = bonds_of(structure, options);
+  const std::vector<std::uint32_t> fixed = fixed_atoms(structure, bonds, options);
   RelaxedStructure result;
   result.potential = options.potential.title();
   if (options.lammps) {
-    result.relaxed = relax_with_lammps(structure.atoms, bonds, options);
+    result.relaxed = relax_with_lammps(structure.atoms, fixed, options);
   } else {
-    OwnRelaxation relaxation(structure, bonds, options);
+    OwnRelaxation relaxation(structure, fixed, options);
     result.relaxed = relaxation.run(structure.atoms);
     result.stopped = relaxation.stopped();
   }

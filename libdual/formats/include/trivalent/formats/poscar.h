@@ -3,15 +3,19 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trivalent/formats/structure_format.h"
 
 namespace trivalent::dual {
 
+/// Column of the flags that say along which axes an atom may move: 1 where it may.
+inline constexpr std::string_view selective_dynamics = "selective_dynamics";
+
 /// Reads VASP's POSCAR or CONTCAR: scale or volume, Direct or Cartesian positions. Flags of
-/// "Selective dynamics" become a column of that name, 1 where a coordinate may change. Files of
-/// VASP 4 lack the elements; the options then name them. Velocities are left out.
+/// "Selective dynamics" become the column `selective_dynamics`. Files of VASP 4 lack the elements;
+/// the options then name them. Velocities are left out.
 ///
 /// @throws FileError      if the file is missing or malformed; the message names the line.
 /// @throws InvalidOption  if the options ask for another frame than 1, or an atom_style.

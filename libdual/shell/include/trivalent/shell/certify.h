@@ -67,7 +67,8 @@ struct Certificate {
   [[nodiscard]] std::vector<dual::TableRow> rows() const;
 };
 
-/// Checks a structure's topology, bonds, angles, energies and forces.
+/// Checks a structure's topology, bonds, angles, energies and forces, and those that its file
+/// claims.
 ///
 /// @throws dual::InvalidOption if an option is out of its range
 /// @throws potentials::InvalidAtoms if the potential has no energy for the atoms
