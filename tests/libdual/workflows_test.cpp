@@ -201,6 +201,7 @@ TEST(ReadSurface, TakesFormulasInACell) {
   expect_refusal("formula:x^2+y^2+z^2", "leaves the box");
   cell.lattice = remesh::Lattice(parse_cell("3"), {false, false, false});
   EXPECT_EQ(euler(read_surface("formula:x^2+y^2+z^2", shell, {}, cell).mesh), 2);
+  expect_refusal("formula:1/(x^2+y^2+z^2-0.26)", "as at a pole");
   cell.lattice.reset();
   expect_refusal("formula:x^2+y^2+z^2", "--cell");
 }

@@ -244,6 +244,8 @@ TEST(Junctions, TakeAnyListOfArms) {
   refused({arm({1, 0, 0, 4, 1, 1})});
   refused({arm({0, 0, 0})});
   refused({arm({1, 0, 0, -4})});
+  refused({arm({1, 0, 0}), arm({2, 0, 0.1})});
+  refused({arm({1, 0, 0}), arm({0, 1, 0, 0.5}), {"open", 1.0}});
   refused({arm({1, 0, 0}), {.name = "radius", .list = {1, 2}}});
 }
 

@@ -249,6 +249,13 @@ TEST_F(VolumeFile, TurnsLeftHandedAxesAround) {
   expect_same(read("a.nrrd", header + packed<float>(mirrored)), wanted);
 }
 
+TEST_F(VolumeFile, RefusesNrrdAxesItDoesNotRead) {
+  expect_refusal("axis maxs", "a.nrrd",
+                 "NRRD0004\ntype: float\ndimension: 3\nsizes: 3 4 5\nencoding: raw\n"
+                 "endian: little\naxis maxs: 1 1 1\n\n" +
+                     packed<float>(lopsided()));
+}
+
 TEST_F(VolumeFile, SaysThatACubeHoldsMore) {
   const std::string cube = cube_of(lopsided(), 1.0, -1);
   EXPECT_EQ(read("a.cube", cube).notes, std::vector<std::string>{});

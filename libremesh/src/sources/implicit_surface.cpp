@@ -357,4 +357,13 @@ TriMesh polygonize(const ImplicitSurface& surface, double edge_length) {
   return mesh;
 }
 
+TriMesh polygonize_any(ImplicitSurface surface, double edge_length) {
+  try {
+    return polygonize(surface, edge_length);
+  } catch (const InvalidMesh&) {
+    surface.snaps = false;
+    return polygonize(surface, edge_length);
+  }
+}
+
 }  // namespace trivalent::remesh

@@ -33,4 +33,7 @@ struct ImplicitSurface {
 /// Cost: O(n) for n faces.
 [[nodiscard]] TriMesh polygonize(const ImplicitSurface& surface, double edge_length);
 
+/// The same; without snapping where snapped sheets would touch.
+[[nodiscard]] TriMesh polygonize_any(ImplicitSurface surface, double edge_length);
+
 }  // namespace trivalent::remesh

@@ -106,12 +106,32 @@ struct Arm {
   double radius;
 };
 
+/// @throws InvalidOption if two arms are one, or an open one ends within the others.
+void check_arms(const Request& request, const std::vector<Arm>& arms) {
+  double widest = 0.0;
+  for (const Arm& arm : arms) widest = std::max(widest, arm.radius);
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    if (request.at("open") == 1.0 && arms[i].length <= widest) {
+      throw InvalidOption(concat("make_shape: ", request.shape, ": arm ", i + 1, " is ",
+                                 arms[i].length, " long, which ends within a tube of radius ",
+                                 widest));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      constexpr double close = 0.95;  // cosine: 18 degrees
+      if (arms[i].direction.normalized().dot(arms[j].direction.normalized()) < close) continue;
+      throw InvalidOption(concat("make_shape: ", request.shape, ": arms ", j + 1, " and ", i + 1,
+                                 " go the same way"));
+    }
+  }
+}
+
 TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
   check_positive(request, {"radius", "length", "neck"});
   const double open = request.at("open");
   if (open != 0.0 && open != 1.0) {
     throw InvalidOption(concat("make_shape: ", request.shape, ": open is 0 or 1, not ", open));
   }
+  check_arms(request, arms);
   double area = 0.0;
   double reach = 0.0;
   std::vector<Segment> segments;

@@ -76,6 +76,33 @@ double typical_slope(const ScalarField& field, const std::vector<Eigen::Vector3d
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
+/// @throws InvalidMesh where the function jumps from one side of the level to the other, as at a
+/// pole:
+///   it is nearer to the level a little way off than on the surface then.
+void check_continuous(const ScalarField& field, double level, const TriMesh& surface,
+                      double edge_length) {
+  constexpr double reach = 0.25;     // edges
+  constexpr double farther = 2.0;    // times
+  constexpr double max_part = 0.01;  // of the vertices: relaxed ones are a little off the surface
+  std::size_t n_jumps = 0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (const auto v : surface.vertices()) {
+    const Eigen::Vector3d& p = surface.point(v);
+    const Eigen::Vector3d slope = gradient(field, p, 1e-3 * edge_length);
+    const Eigen::Vector3d away = reach * edge_length * slope.normalized();
+    const double beside =
+        std::max(std::abs(field(p + away) - level), std::abs(field(p - away) - level));
+    if (std::abs(field(p) - level) <= farther * beside) continue;
+    ++n_jumps;
+    place = p;
+  }
+  if (static_cast<double>(n_jumps) <= max_part * static_cast<double>(surface.n_vertices())) return;
+  throw InvalidMesh(concat("level_set: the function jumps across the level ", level, " near (",
+                           place.x(), ", ", place.y(), ", ", place.z(),
+                           "), as at a pole, which is no surface; take one without a pole, such as "
+                           "its denominator"));
+}
+
 }  // namespace
 
 TriMesh level_set(const ScalarField& field, double level, const Lattice& lattice,
@@ -94,7 +121,9 @@ TriMesh level_set(const ScalarField& field, double level, const Lattice& lattice
     const double slope = gradient(field, p, step).norm();
     return (finite_value(field, p) - level) / std::max(slope, min_slope);
   };
-  return polygonize({.value = value, .lattice = lattice}, edge_length);
+  TriMesh surface = polygonize_any({.value = value, .lattice = lattice}, edge_length);
+  check_continuous(field, level, surface, edge_length);
+  return surface;
 }
 
 }  // namespace trivalent::remesh

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mesh/surface_projector.h"
@@ -58,16 +59,6 @@ Lattice framed(const TriMesh& surface, double room, Eigen::Vector3d& center) {
   return {cell, lattice.periodic()};
 }
 
-/// Without slivers, unless sheets come so near to each other that they would touch.
-TriMesh polygonized(ImplicitSurface& surface, double edge_length) {
-  try {
-    return polygonize(surface, edge_length);
-  } catch (const InvalidMesh&) {
-    surface.snaps = false;
-    return polygonize(surface, edge_length);
-  }
-}
-
 void require_closed(const TriMesh& surface, std::string_view caller) {
   if (std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); })) {
     throw InvalidMesh(concat(caller, ": the surface has a boundary"));
@@ -100,7 +91,7 @@ TriMesh offset_surface(const TriMesh& surface, double distance, double edge_leng
   offset.value = [&](const Eigen::Vector3d& from_center) {
     return signed_distance(projector, surface.lattice, center + from_center) - distance;
   };
-  TriMesh mesh = polygonized(offset, edge_length);
+  TriMesh mesh = polygonize_any(std::move(offset), edge_length);
   for (const auto v : mesh.vertices()) mesh.point(v) += center;
   mesh.lattice = surface.lattice;
   return mesh;
@@ -114,7 +105,7 @@ TriMesh surface_in_lattice(const TriMesh& surface, const Lattice& lattice) {
   anew.value = [&](const Eigen::Vector3d& p) {
     return signed_distance(projector, surface.lattice, p);
   };
-  return polygonized(anew, mean_edge_length(surface));
+  return polygonize_any(std::move(anew), mean_edge_length(surface));
 }
 
 }  // namespace trivalent::remesh

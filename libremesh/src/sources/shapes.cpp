@@ -142,6 +142,10 @@ Request request_for(const ShapeDescription& shape, const std::vector<ShapeArgume
       throw InvalidOption(
           concat("make_shape: ", shape.name, ": ", argument.name, " must be a finite number"));
     }
+    if (!known->is_list && std::ranges::count(arguments, argument.name, &ShapeArgument::name) > 1) {
+      throw InvalidOption(
+          concat("make_shape: ", shape.name, ": ", argument.name, " is given several times"));
+    }
     if (known->is_list) {
       request.lists.push_back(argument.list);
     } else {

@@ -145,6 +145,12 @@ class NrrdReader {
   }
 
   void read_axes(Volume& volume) const {
+    for (const char* name : {"axis mins", "axismins", "axis maxs", "axismaxs"}) {
+      if (!fields_.contains(name)) continue;
+      fail(source_, concat("its header has the field '", name,
+                           "', which is not read; give 'space directions' and 'space origin', "
+                           "or 'spacings'"));
+    }
     if (fields_.contains("space directions")) {
       const std::vector<std::string> vectors = vectors_in(field("space directions"));
       for (std::size_t k = 0; k < 3; ++k) {

@@ -42,7 +42,7 @@ using ScalarField = std::function<double(const Eigen::Vector3d&)>;
 /// @param edge_length  Mean edge length of the triangles, > 0; well below all features of the
 ///   surface.
 /// @throws InvalidMesh if there is no such surface, a value is not finite, the function does not
-///   repeat, the surface leaves the box, or it touches itself.
+///   repeat or jumps across the level, the surface leaves the box, or it touches itself.
 [[nodiscard]] TriMesh level_set(const ScalarField& field, double level, const Lattice& lattice,
                                 double edge_length);
 
