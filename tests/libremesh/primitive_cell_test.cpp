@@ -79,7 +79,9 @@ TEST(Crystallize, CopiesTheNetOfThePrimitiveCell) {
                                   .wanted_faces = 2.0 * 290.0,
                                   .effort = Effort::quick,
                                   .rest = NetRest::in_space};
-  const TriMesh net = crystallize(surface, options).mesh;
+  const RemeshResult result = crystallize(surface, options);
+  EXPECT_EQ(result.copies, 2);
+  const TriMesh& net = result.mesh;
   EXPECT_EQ(euler_characteristic(net), -8);
   ASSERT_EQ(net.n_vertices() % 2, 0u);
   const auto half = static_cast<int>(net.n_vertices() / 2);

@@ -56,6 +56,10 @@ void note_findings(BuildResult& result) {
         "the surface is open: atoms at its edge have fewer than three bonds; --cap "
         "hydrogen saturates them");
   }
+  if (const int copies = result.shell.surface.copies; copies > 1) {
+    result.notes.push_back("the surface repeats itself " + std::to_string(copies) +
+                           " times in its cell; so does the net, which was searched in one part");
+  }
   if (result.quality.self_intersections > 0) {
     result.notes.push_back("the remeshed surface intersects itself in " +
                            crossings_text(result.quality.self_intersections) +

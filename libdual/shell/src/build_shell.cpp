@@ -10,6 +10,7 @@
 #include "add_walls.h"
 #include "trivalent/dual/energy_summary.h"
 #include "trivalent/dual/error.h"
+#include "trivalent/potentials/error.h"
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/error.h"

@@ -110,6 +110,7 @@ Json scale_json(const dual::ColorScale& scale) {
 Json net_json(const remesh::RemeshResult& net) {
   const remesh::FineParts fine = too_fine_parts(net.mesh);
   return {{"coarse_start", net.coarse_start},
+          {"copies", net.copies},
           {"too_fine",
            {{"vertices", fine.vertices},
             {"growth", fine.growth},

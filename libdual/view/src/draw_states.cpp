@@ -127,8 +127,15 @@ double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
-void draw_atoms(Canvas& canvas, const Drawing& drawing, const std::vector<double>& radii,
-                const Projection& projection, const std::vector<Rgb>& colors) {
+/// One of each for every atom.
+struct Balls {
+  std::vector<double> radii;  ///< [Å]
+  std::vector<Rgb> colors;
+};
+
+void draw_atoms(Canvas& canvas, const Drawing& drawing, const Projection& projection,
+                const Balls& balls) {
+  const auto& [radii, colors] = balls;
   const double mean = mean_of(radii) * projection.samples_per_length;
   // Sticks need some pixels; before that, balls that touch make a closed surface.
   constexpr double room_for_sticks = 5.0 * samples;
@@ -157,20 +164,29 @@ Color ring_color(const AtomMap& map, const AtomMap& values, const std::vector<in
   return mean.color(0);
 }
 
-void draw_rings(Canvas& canvas, const ShellState& state, const Drawing& drawing,
-                const Projection& projection, const AtomMap& map) {
+std::vector<Rgb> ring_colors(const AtomMap& map, const ShellState& state) {
   const AtomMap& values = *state.find(map.name);
+  std::vector<Rgb> colors;
+  colors.reserve(state.structure.rings.size());
+  for (const Ring& ring : state.structure.rings) {
+    colors.push_back(rgb(ring_color(map, values, ring.atoms)));
+  }
+  return colors;
+}
+
+/// @param colors  One for each ring.
+void draw_rings(Canvas& canvas, const Drawing& drawing, const Projection& projection,
+                const std::vector<Rgb>& colors) {
   const std::vector<Eigen::Vector3d>& positions = drawing.positions;
   for (std::size_t k = 0; k < drawing.rings.size(); ++k) {
     const std::vector<int>& ring = drawing.rings[k];
-    const Rgb color = rgb(ring_color(map, values, state.structure.rings[k].atoms));
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const int atom : ring) center += positions[atom];
     center /= static_cast<double>(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       canvas.draw_triangle({projection(center), projection(positions[ring[i]]),
                             projection(positions[ring[(i + 1) % ring.size()]])},
-                           color);
+                           colors[k]);
     }
   }
 }
@@ -195,9 +211,9 @@ void draw_state(Canvas& canvas, const ShellState& state, const PictureOptions& o
   const Projection projection = fit(drawing.positions, options, panel);
   const std::vector<double> radii = ball_radii(state.structure);
   if (options.style == PictureStyle::rings) {
-    draw_rings(canvas, state, drawing, projection, map);
+    draw_rings(canvas, drawing, projection, ring_colors(map, state));
   } else {
-    draw_atoms(canvas, drawing, radii, projection, atom_colors(map, state));
+    draw_atoms(canvas, drawing, projection, {radii, atom_colors(map, state)});
   }
   double near = -std::numeric_limits<double>::infinity();
   double far = -near;

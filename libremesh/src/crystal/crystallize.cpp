@@ -43,6 +43,7 @@ std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOption
   const Flaws flaws = find_flaws(net->mesh, surface, m, max_reach);
   if (flaws.sum() > 0.0) return std::nullopt;
   net->mesh = in_supercell(net->mesh, mesh.lattice);
+  net->copies = cell->copies;
   return net;
 }
 
@@ -103,6 +104,7 @@ RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
   result.regular_fraction = state.regular_fraction;
   result.stopped = watch.stopped();
   result.coarse_start = net->coarse_start;
+  result.copies = net->copies;
   return result;
 }
 

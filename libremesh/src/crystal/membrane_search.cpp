@@ -230,6 +230,7 @@ class MembraneSearch {
     std::ranges::stable_sort(found, {}, &Order::energy);
     if (!is_judged()) found.resize(1);
     std::vector<ConstrainedMesh::State> states;
+    states.reserve(found.size());
     for (Order& order : found) states.push_back(std::move(order.state));
     return states;
   }

@@ -49,25 +49,31 @@ class Repetition {
   std::vector<Sample> samples_;
 };
 
-/// Replaces a cell vector by a half or third of a translation that maps the surface onto itself.
+/// Multiples of cell vectors, of which the last that is not zero is 1.
+std::vector<Eigen::Vector3i> small_multiples() {
+  std::vector<Eigen::Vector3i> all;
+  constexpr int n_choices = 27;
+  for (int i = 0; i < n_choices; ++i) {
+    const Eigen::Vector3i multiples(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const int last = multiples[2] != 0   ? multiples[2]
+                     : multiples[1] != 0 ? multiples[1]
+                                         : multiples[0];
+    if (last == 1) all.push_back(multiples);
+  }
+  return all;
+}
+
+/// Replaces a cell vector by a half or third of a sum of cell vectors that maps the surface onto
+/// itself. The cell stays right-handed.
 ///
 /// @return  False, with nothing done, if there is none.
 bool take_translation(Lattice::Cell& cell, const Repetition& repeats) {
   for (const int part : {2, 3}) {
-    const int least = part == 2 ? 0 : -1;
-    for (int a = least; a <= 1; ++a) {
-      for (int b = least; b <= 1; ++b) {
-        for (int c = least; c <= 1; ++c) {
-          const Eigen::Vector3d multiples(a, b, c);
-          // The last multiple that is not zero becomes 1, so that the cell stays right-handed.
-          const Eigen::Index last = c != 0 ? 2 : b != 0 ? 1 : 0;
-          if (multiples[last] != 1.0) continue;
-          const Eigen::Vector3d translation = cell * multiples / part;
-          if (!repeats.at(translation)) continue;
-          cell.col(last) = translation;
-          return true;
-        }
-      }
+    for (const Eigen::Vector3i& multiples : small_multiples()) {
+      const Eigen::Vector3d translation = cell * multiples.cast<double>() / part;
+      if (!repeats.at(translation)) continue;
+      cell.col(multiples[2] != 0 ? 2 : multiples[1] != 0 ? 1 : 0) = translation;
+      return true;
     }
   }
   return false;

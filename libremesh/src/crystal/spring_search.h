@@ -11,6 +11,7 @@ namespace trivalent::remesh {
 struct FoundNet {
   TriMesh mesh;
   bool coarse_start = false;
+  int copies = 1;  ///< of the net of a primitive cell
 };
 
 /// What a search works on: a surface and the curves that vertices may not leave.

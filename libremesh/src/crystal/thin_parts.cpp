@@ -104,6 +104,33 @@ Eigen::Vector3d direction_between(const ConstrainedMesh& constrained, const std:
   return apart.dot(on_a.position - on_b.position) >= 0.0 ? apart : Eigen::Vector3d(-apart);
 }
 
+Eigen::Vector3d middle_of_neighbors(const TriMesh& mesh, VertexHandle v) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto neighbor : mesh.vv_range(v)) sum += position_beside(mesh, v, neighbor);
+  return sum / mesh.valence(v);
+}
+
+/// The free vertices of crossing faces and their neighbors, in order.
+std::vector<VertexHandle> free_vertices_near(const ConstrainedMesh& constrained,
+                                             const CrossingFaces& crossing) {
+  const TriMesh& mesh = constrained.mesh;
+  std::vector<VertexHandle> corners;
+  for (const auto& pair : crossing.first) {
+    for (const int f : pair) {
+      for (const auto v : mesh.fv_range(FaceHandle(f))) corners.push_back(v);
+    }
+  }
+  std::vector<VertexHandle> near = corners;
+  for (const VertexHandle v : corners) {
+    for (const auto neighbor : mesh.vv_range(v)) near.push_back(neighbor);
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::erase_if(near,
+                [&](VertexHandle v) { return constrained.anchor(v).kind != FeatureKind::none; });
+  return near;
+}
+
 }  // namespace
 
 void unfold(ConstrainedMesh& constrained) {
@@ -113,10 +140,8 @@ void unfold(ConstrainedMesh& constrained) {
     const std::vector<VertexHandle> folded = folded_vertices(constrained);
     if (folded.empty()) return;
     for (const VertexHandle v : folded) {
-      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const auto neighbor : mesh.vv_range(v)) middle += position_beside(mesh, v, neighbor);
       Anchor anchor = constrained.anchor(v);
-      mesh.point(v) = constrained.project(middle / mesh.valence(v), anchor);
+      mesh.point(v) = constrained.project(middle_of_neighbors(mesh, v), anchor);
       constrained.set_anchor(v, anchor);
     }
   }
@@ -172,20 +197,8 @@ void smooth_crossings(ConstrainedMesh& constrained) {
   std::vector<Eigen::Vector3d> best(mesh.points(), mesh.points() + mesh.n_vertices());
   std::size_t fewest = crossing.count;
   for (int idle = 0; idle < max_idle_steps && crossing.count > 0; ++idle) {
-    std::vector<char> moves(mesh.n_vertices(), 0);
-    for (const auto& pair : crossing.first) {
-      for (const int f : pair) {
-        for (const auto v : mesh.fv_range(FaceHandle(f))) {
-          moves[index(v)] = 1;
-          for (const auto neighbor : mesh.vv_range(v)) moves[index(neighbor)] = 1;
-        }
-      }
-    }
-    for (const auto v : mesh.vertices()) {
-      if (moves[index(v)] == 0 || constrained.anchor(v).kind != FeatureKind::none) continue;
-      Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-      for (const auto neighbor : mesh.vv_range(v)) middle += position_beside(mesh, v, neighbor);
-      mesh.point(v) = 0.5 * (mesh.point(v) + middle / mesh.valence(v));
+    for (const VertexHandle v : free_vertices_near(constrained, crossing)) {
+      mesh.point(v) = 0.5 * (mesh.point(v) + middle_of_neighbors(mesh, v));
     }
     crossing = find_crossing_faces(mesh, all);
     if (crossing.count >= fewest) continue;

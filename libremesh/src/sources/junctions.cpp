@@ -159,6 +159,7 @@ TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
 /// Tubes of one radius and length.
 TriMesh junction_towards(const Request& request, const std::vector<Eigen::Vector3d>& directions) {
   std::vector<Arm> arms;
+  arms.reserve(directions.size());
   for (const Eigen::Vector3d& direction : directions) {
     arms.push_back({direction, request.at("length"), request.at("radius")});
   }
@@ -172,9 +173,9 @@ Arm arm_of(const Request& request, const std::vector<double>& numbers) {
                                ": an arm is x y z [length [radius]], ",
                                "three to five numbers, not ", n));
   }
-  const Arm arm = {.direction = {numbers[0], numbers[1], numbers[2]},
-                   .length = n > 3 ? numbers[3] : request.at("length"),
-                   .radius = n > 4 ? numbers[4] : request.at("radius")};
+  Arm arm = {.direction = {numbers[0], numbers[1], numbers[2]},
+             .length = n > 3 ? numbers[3] : request.at("length"),
+             .radius = n > 4 ? numbers[4] : request.at("radius")};
   if (arm.direction.isZero(0.0) || !(arm.length > 0.0) || !(arm.radius > 0.0)) {
     throw InvalidOption(concat("make_shape: ", request.shape,
                                ": an arm needs a direction, and a length and radius > 0"));
@@ -238,6 +239,7 @@ TriMesh junction(const Request& request) {
         "make_shape: junction needs arms, as in 'junction:arm=1 0 0,arm=-1 0 0,arm=0 1 1'");
   }
   std::vector<Arm> arms;
+  arms.reserve(request.lists.size());
   for (const std::vector<double>& numbers : request.lists) arms.push_back(arm_of(request, numbers));
   return junction_of(request, arms);
 }

@@ -122,6 +122,21 @@ const BuiltInShape& find_shape(std::string_view name) {
   throw InvalidOption(concat("make_shape: no shape is called '", name, "'; there are ", known));
 }
 
+/// @throws InvalidOption unless the argument fits the parameter.
+void check_argument(const ShapeDescription& shape, const ShapeParameter& parameter,
+                    const ShapeArgument& argument) {
+  const auto refuse = [&](const auto&... reason) {
+    throw InvalidOption(concat("make_shape: ", shape.name, ": ", argument.name, " ", reason...));
+  };
+  if (parameter.is_list == argument.list.empty()) {
+    refuse("is ", parameter.is_list ? "a list of numbers" : "one number");
+  }
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (!is_finite(argument.value) || !std::ranges::all_of(argument.list, is_finite)) {
+    refuse("must be a finite number");
+  }
+}
+
 Request request_for(const ShapeDescription& shape, const std::vector<ShapeArgument>& arguments) {
   Request request = {.shape = shape.name, .values = {}};
   for (const ShapeParameter& parameter : shape.parameters) {
@@ -133,15 +148,7 @@ Request request_for(const ShapeDescription& shape, const std::vector<ShapeArgume
       throw InvalidOption(concat("make_shape: ", shape.name, " has no parameter '", argument.name,
                                  "'; it has ", names_of(shape.parameters)));
     }
-    if (known->is_list == argument.list.empty()) {
-      throw InvalidOption(concat("make_shape: ", shape.name, ": ", argument.name, " is ",
-                                 known->is_list ? "a list of numbers" : "one number"));
-    }
-    const auto is_finite = [](double value) { return std::isfinite(value); };
-    if (!is_finite(argument.value) || !std::ranges::all_of(argument.list, is_finite)) {
-      throw InvalidOption(
-          concat("make_shape: ", shape.name, ": ", argument.name, " must be a finite number"));
-    }
+    check_argument(shape, *known, argument);
     if (!known->is_list && std::ranges::count(arguments, argument.name, &ShapeArgument::name) > 1) {
       throw InvalidOption(
           concat("make_shape: ", shape.name, ": ", argument.name, " is given several times"));

@@ -75,6 +75,9 @@ struct CrystalOptions {
 /// twice the length. Where the membrane crosses itself or leaves a part out, both nets are made and
 /// the better one is returned.
 ///
+/// In space, a surface periodic along three directions that translations shorter than its cell map
+/// onto itself gets the net of its primitive cell, copied; if that is five edges long, at least.
+///
 /// Genus, orientation, boundaries and creases of the input are kept, as by remesh(). The result
 /// depends on the seed, not on the number of threads.
 ///

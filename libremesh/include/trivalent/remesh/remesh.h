@@ -48,6 +48,7 @@ struct RemeshResult {
   double regular_fraction = 0.0;  ///< interior vertices of valence 6 / interior vertices
   bool stopped = false;           ///< ended early on request
   bool coarse_start = false;      ///< crystallize(): the net was divided from one twice as coarse
+  int copies = 1;  ///< crystallize(): of the net of a primitive cell, of which the mesh consists
 };
 
 /// Remeshes a surface until all edges come close to one length, [Pecanha2013, Algorithm 1].
