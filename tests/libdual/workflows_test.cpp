@@ -64,9 +64,10 @@ TEST(AtomsInGroups, JoinsGroupsInAscendingOrder) {
   using Atoms = std::vector<std::uint32_t>;
   EXPECT_EQ(atoms_in_groups({"ids:3-4", "ids:1,4"}, structure.atoms, structure.bonds),
             (Atoms{0, 2, 3}));
-  EXPECT_EQ(atoms_in_groups({"edge"}, structure.atoms, structure.bonds), Atoms{});
   EXPECT_EQ(atoms_in_groups({"sphere:0,0,0,100"}, structure.atoms, structure.bonds).size(), 20u);
-  for (const char* group : {"ids:21", "ids:0", "ids:2-1", "rim", "sphere:1,2,3", "box:1,2"}) {
+  // A closed cage has no edge, and a box with swapped corners holds nothing.
+  for (const char* group : {"ids:21", "ids:0", "ids:2-1", "rim", "sphere:1,2,3", "box:1,2", "edge",
+                            "box:5,5,5,-5,-5,-5"}) {
     EXPECT_THROW(atoms_in_groups({group}, structure.atoms, structure.bonds), dual::InvalidOption)
         << group;
   }
