@@ -30,8 +30,8 @@ Grammar grammar_of_check() {
       "are nearer than 1.85 Å (C-C), 1.55 Å (C-H), 1.4 Å (H-H). The potential is rebo or airebo\n"
       "if the file names it, else rebo. Exit code 1 if something is wrong: an atom without its\n"
       "three bonds, a bond outside 1.25 to 1.75 Å, an angle outside 85° to 155°, other atoms\n"
-      "nearer than 2 Å, a ring missing, forces, energies other than the file's under the same\n"
-      "potential.\n";
+      "nearer than 2 Å, a ring missing, atoms not at rest, or bonds, energies or forces in the\n"
+      "file that are not those of its atoms.\n";
   return grammar;
 }
 
@@ -58,9 +58,9 @@ shell::CertifyOptions with_potential_of(const dual::Structure& structure,
   if (!title) return options;
   const auto named = shell::named_potential(structure);
   if (!named) {
-    session.terminal.notes({"the file's energies are of " + *title + "; forces and energies of " +
+    session.terminal.notes({"the file's energies are of " + *title + ", but " +
                             options.potential.title() +
-                            " are looked at (--potential and --pair-style choose)"});
+                            " is used; --potential and --pair-style choose another"});
     return options;
   }
   session.terminal.notes({"potential " + named->name + ", as the file says"});

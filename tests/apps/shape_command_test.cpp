@@ -27,6 +27,7 @@ TEST_F(ShapeCommand, RefusesWhatItCannotMake) {
   expect_failure(2, "cube", "shape cube a.off");
   expect_failure(2, "list of numbers", "shape junction:arm=1 a.off");
   expect_failure(2, "one number", "shape 'sphere:radius=1 2' a.off");
+  expect_failure(2, "several numbers", "shape 'nanotube:n=5,m=5 3' a.xyz");
   expect_failure(2, "R", "shape sphere:R=3 a.off");
   expect_failure(2, "name=number", "shape sphere:radius a.off");
   expect_failure(2, "name=number", "shape sphere:radius=x a.off");

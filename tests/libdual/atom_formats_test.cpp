@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "small_cells.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/bonding.h"
 #include "trivalent/formats/structure_format.h"
@@ -21,6 +22,8 @@
 namespace trivalent::dual {
 namespace {
 
+using testing_support::acetylene;
+using testing_support::graphene;
 using testing_support::message_of;
 using testing_support::TemporaryFolder;
 
@@ -32,33 +35,6 @@ StructureFile file_of(const std::string& name, const std::string& text,
 
 std::string complaint(const std::string& name, const std::string& text) {
   return message_of<FileError>([&] { static_cast<void>(file_of(name, text)); });
-}
-
-/// Two atoms of graphene, bonded to three images of each other.
-Structure graphene() {
-  Structure cell;
-  cell.atoms.positions = {{0, 0, 8}, {0, 1.42, 8}};
-  cell.atoms.species = {potentials::Species::carbon, potentials::Species::carbon};
-  cell.atoms.box.cell.col(0) = Eigen::Vector3d(2.46, 0, 0);
-  cell.atoms.box.cell.col(1) = Eigen::Vector3d(-1.23, 2.13, 0);
-  cell.atoms.box.cell.col(2) = Eigen::Vector3d(0, 0, 16);
-  cell.atoms.box.periodic = {true, true, true};
-  cell.bonds = find_bonds(cell.atoms);
-  return cell;
-}
-
-/// H-C-C-H with the hydrogens first and last, in a turned cell that is left-handed.
-Structure acetylene() {
-  Structure cell;
-  cell.atoms.positions = {{0, 0, 0}, {1.06, 0, 0}, {2.26, 0, 0}, {3.32, 0, 0}};
-  using enum potentials::Species;
-  cell.atoms.species = {hydrogen, carbon, carbon, hydrogen};
-  cell.atoms.box.cell << 0, 0, 9, 0, 8, 1, -9, 0, 1;
-  cell.atoms.box.cell.col(1) *= -1.0;
-  cell.atoms.box.origin = {1.0, 2.0, 3.0};
-  cell.atoms.box.periodic = {true, true, true};
-  cell.bonds = find_bonds(cell.atoms);
-  return cell;
 }
 
 std::vector<std::string> names_of_formats() {

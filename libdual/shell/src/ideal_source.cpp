@@ -32,6 +32,11 @@ class Values {
         throw remesh::InvalidOption(
             dual::concat(call.name, " has no parameter '", argument.name, "'"));
       }
+      if (!argument.list.empty() ||
+          std::ranges::count(call.arguments, argument.name, &remesh::ShapeArgument::name) > 1) {
+        throw remesh::InvalidOption(
+            dual::concat(call.name, ": ", argument.name, " is given several numbers"));
+      }
       if (argument.value != std::round(argument.value) || std::abs(argument.value) > 1e9) {
         throw remesh::InvalidOption(dual::concat(call.name, ": ", argument.name, " is ",
                                                  argument.value, "; it must be a whole number"));

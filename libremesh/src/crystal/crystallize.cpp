@@ -41,7 +41,7 @@ std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOption
       search_membrane({surface, find_creases(surface, {})}, options, watch);
   if (!net) return std::nullopt;
   const Flaws flaws = find_flaws(net->mesh, surface, m, max_reach);
-  if (flaws.sum() > 0.0) return std::nullopt;
+  if (flaws.sum() > 0.0 && !watch.stopped()) return std::nullopt;
   net->mesh = in_supercell(net->mesh, mesh.lattice);
   net->copies = cell->copies;
   return net;

@@ -330,7 +330,8 @@ class MembraneSearch {
       candidate.state = net.on_surface.state();
       if (!is_judged() || candidates_.size() == 1) return;
       scale(net.mesh, 1.0 / scale_);
-      candidate.energy = options_.energy(net.mesh) + count_energy(net.mesh);
+      candidate.energy = watch_.should_stop() ? std::numeric_limits<double>::infinity()
+                                              : options_.energy(net.mesh) + count_energy(net.mesh);
     };
     tbb::parallel_for(std::size_t{0}, candidates_.size(), [&](std::size_t k) {
       tbb::this_task_arena::isolate([&] { judge(candidates_[k]); });

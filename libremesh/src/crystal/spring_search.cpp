@@ -96,7 +96,7 @@ void finish_on_surface(Net& net, const CrystalOptions& options, int crosses, Sea
   if (count_crossings(net.mesh) == 0) return;
   unfold(net.on_surface);
   if (crosses == 0) part_sheets(net.on_surface);
-  smooth_crossings(net.on_surface);
+  smooth_crossings(net.on_surface, watch.question());
 }
 
 class SpringSearch {

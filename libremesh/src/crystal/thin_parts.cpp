@@ -189,7 +189,7 @@ void part_sheets(ConstrainedMesh& constrained) {
   }
 }
 
-void smooth_crossings(ConstrainedMesh& constrained) {
+void smooth_crossings(ConstrainedMesh& constrained, const std::function<bool()>& should_stop) {
   constexpr int max_idle_steps = 20;
   TriMesh& mesh = constrained.mesh;
   const std::size_t all = mesh.n_faces();
@@ -197,6 +197,7 @@ void smooth_crossings(ConstrainedMesh& constrained) {
   std::vector<Eigen::Vector3d> best(mesh.points(), mesh.points() + mesh.n_vertices());
   std::size_t fewest = crossing.count;
   for (int idle = 0; idle < max_idle_steps && crossing.count > 0; ++idle) {
+    if (should_stop && should_stop()) break;
     for (const VertexHandle v : free_vertices_near(constrained, crossing)) {
       mesh.point(v) = 0.5 * (mesh.point(v) + middle_of_neighbors(mesh, v));
     }

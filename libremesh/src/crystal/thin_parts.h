@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "equalize/constrained_mesh.h"
 
 namespace trivalent::remesh {
@@ -26,6 +28,8 @@ void part_sheets(ConstrainedMesh& constrained);
 /// theirs, off the surface, as long as fewer faces cross after it. Mends folds between small parts
 /// of a surface, which the normals of the surface do not tell from others. Vertices on feature
 /// curves stay.
-void smooth_crossings(ConstrainedMesh& constrained);
+///
+/// @param should_stop  Asked before every step.
+void smooth_crossings(ConstrainedMesh& constrained, const std::function<bool()>& should_stop = {});
 
 }  // namespace trivalent::remesh

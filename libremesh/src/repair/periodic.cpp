@@ -162,8 +162,9 @@ class CellsOfSupercell {
       for (int b = low[1]; b < std::max(high[1], 1); ++b) {
         for (int a = low[0]; a < std::max(high[0], 1); ++a) {
           const Lattice::Image cell = {a, b, c};
-          if (inside(cell) == cell) numbers_.emplace(cell, static_cast<int>(cells_.size()));
-          if (inside(cell) == cell) cells_.push_back(cell);
+          if (inside(cell) != cell) continue;
+          numbers_.emplace(cell, static_cast<int>(cells_.size()));
+          cells_.push_back(cell);
         }
       }
     }

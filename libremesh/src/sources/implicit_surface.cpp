@@ -362,7 +362,11 @@ TriMesh polygonize_any(ImplicitSurface surface, double edge_length) {
     return polygonize(surface, edge_length);
   } catch (const InvalidMesh&) {
     surface.snaps = false;
-    return polygonize(surface, edge_length);
+    try {
+      return polygonize(surface, edge_length);
+    } catch (const InvalidMesh&) {
+    }
+    throw;  // what was wrong in the first place
   }
 }
 

@@ -117,7 +117,7 @@ void check_arms(const Request& request, const std::vector<Arm>& arms) {
                                  widest));
     }
     for (std::size_t j = 0; j < i; ++j) {
-      constexpr double close = 0.95;  // cosine: 18 degrees
+      constexpr double close = 0.996;  // cosine: 5 degrees
       if (arms[i].direction.normalized().dot(arms[j].direction.normalized()) < close) continue;
       throw InvalidOption(concat("make_shape: ", request.shape, ": arms ", j + 1, " and ", i + 1,
                                  " go the same way"));

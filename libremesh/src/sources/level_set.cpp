@@ -99,8 +99,8 @@ void check_continuous(const ScalarField& field, double level, const TriMesh& sur
   if (static_cast<double>(n_jumps) <= max_part * static_cast<double>(surface.n_vertices())) return;
   throw InvalidMesh(concat("level_set: the function jumps across the level ", level, " near (",
                            place.x(), ", ", place.y(), ", ", place.z(),
-                           "), as at a pole, which is no surface; take one without a pole, such as "
-                           "its denominator"));
+                           "), as at a pole, where it has no surface; write the function without "
+                           "the pole"));
 }
 
 }  // namespace

@@ -146,7 +146,12 @@ class NrrdReader {
 
   void read_axes(Volume& volume) const {
     for (const char* name : {"axis mins", "axismins", "axis maxs", "axismaxs"}) {
-      if (!fields_.contains(name)) continue;
+      if (!fields_.contains(name) || fields_.contains("space directions")) continue;
+      const std::vector<std::string> words = words_of(field(name));
+      const auto is_known = [&](const std::string& word) {
+        return std::isfinite(number_in(word, name));  // nan: not known
+      };
+      if (std::ranges::none_of(words, is_known)) continue;
       fail(source_, concat("its header has the field '", name,
                            "', which is not read; give 'space directions' and 'space origin', "
                            "or 'spacings'"));
