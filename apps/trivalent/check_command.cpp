@@ -82,11 +82,9 @@ int run_check(const Command& self, std::span<const std::string> arguments) {
   for (const auto& file : session->get<std::vector<std::string>>("FILE")) {
     const dual::StructureFile content = shell::read_structure(file, reading);
     session->terminal.notes(content.notes);
-    shell::Certificate certificate =
+    options.notes = content.notes;
+    const shell::Certificate certificate =
         shell::certify(content.structure, with_potential_of(content.structure, options, *session));
-    for (const std::string& note : content.notes) {
-      if (note.starts_with(dual::unused_bonds)) certificate.problems.push_back(note);
-    }
     is_sound = is_sound && certificate.is_sound();
     printed.table.push_back({file});
     shell::append(printed.table, certificate.rows());

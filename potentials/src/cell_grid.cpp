@@ -98,7 +98,7 @@ void add_images_along(int k, double cutoff, const ReducedFrame& frame,
   }
 }
 
-[[nodiscard]] std::vector<GridPoint> points_with_images(const Atoms& atoms, double cutoff) {
+[[nodiscard]] std::vector<GridPoint> points_with_images(const AtomsView& atoms, double cutoff) {
   std::vector<GridPoint> points;
   points.reserve(atoms.size());
   for (std::size_t i = 0; i < atoms.size(); ++i) {
@@ -121,11 +121,12 @@ std::array<std::int32_t, 3> image_between(const GridPoint& from, const GridPoint
   return image;
 }
 
-bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to, Squared distances) {
+bool is_nearer(const AtomsView& atoms, const GridPoint& from, const GridPoint& to,
+               Squared distances) {
   return is_nearer(atoms, {from.atom, to.atom, image_between(from, to)}, distances);
 }
 
-bool is_nearer(const Atoms& atoms, ImagePair pair, Squared distances) {
+bool is_nearer(const AtomsView& atoms, ImagePair pair, Squared distances) {
   const bool is_clear =
       std::abs(distances.distance - distances.cutoff) > (rounding_margin - 1.0) * distances.cutoff;
   if (is_clear) return distances.distance < distances.cutoff;
@@ -140,7 +141,7 @@ bool is_nearer(const Atoms& atoms, ImagePair pair, Squared distances) {
   return separation.squaredNorm() < distances.cutoff;
 }
 
-CellGrid::CellGrid(const Atoms& atoms, double cutoff)
+CellGrid::CellGrid(const AtomsView& atoms, double cutoff)
     // A little larger than the cutoff, so that rounding cannot put neighbors two cells apart.
     : squared_cutoff_(cutoff * cutoff), cell_size_(cutoff * (1.0 + 1e-6)) {
   points_ = points_with_images(atoms, cutoff);

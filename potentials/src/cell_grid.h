@@ -37,8 +37,8 @@ struct ImagePair {
 
 /// Whether two atoms are nearer than a distance, with the same answer from both ends even where
 /// the rounding of periodic images would decide.
-[[nodiscard]] bool is_nearer(const Atoms& atoms, ImagePair pair, Squared distances);
-[[nodiscard]] bool is_nearer(const Atoms& atoms, const GridPoint& from, const GridPoint& to,
+[[nodiscard]] bool is_nearer(const AtomsView& atoms, ImagePair pair, Squared distances);
+[[nodiscard]] bool is_nearer(const AtomsView& atoms, const GridPoint& from, const GridPoint& to,
                              Squared distances);
 
 /// Two distances this close relative to each other may be swapped by rounding: a search whose
@@ -56,7 +56,7 @@ class CellGrid {
   /// @param atoms   valid ones, see require_valid.
   /// @param cutoff  [Å], > 0.
   /// @throws InvalidAtoms if there are more images than can be counted.
-  CellGrid(const Atoms& atoms, double cutoff);
+  CellGrid(const AtomsView& atoms, double cutoff);
 
   [[nodiscard]] std::span<const GridPoint> points() const { return points_; }
 

@@ -30,7 +30,7 @@ void require_valid_options(const LennardJonesOptions& options) {
 
 }  // namespace
 
-EnergyForces lennard_jones(const Atoms& atoms, const LennardJonesOptions& options) {
+EnergyForces lennard_jones(const AtomsView& atoms, const LennardJonesOptions& options) {
   return LennardJones(options).evaluate(atoms);
 }
 
@@ -38,7 +38,7 @@ LennardJones::LennardJones(const LennardJonesOptions& options) : options_(option
   require_valid_options(options);
 }
 
-void LennardJones::compute(const Atoms& atoms, EnergyForces& result) {
+void LennardJones::compute(const AtomsView& atoms, EnergyForces& result) {
   require_valid(atoms, "lennard_jones");
   const LennardJonesOptions& options = options_;
   const CellGrid grid(atoms, options.cutoff);

@@ -15,7 +15,8 @@ namespace {
 // Calls visit(from, to, separation, squared_distance) for all neighbors, from both ends of each
 // pair.
 template <typename Visit>
-void for_each_pair(const Atoms& atoms, double cutoff, const CellGrid& grid, const Visit& visit) {
+void for_each_pair(const AtomsView& atoms, double cutoff, const CellGrid& grid,
+                   const Visit& visit) {
   for_each_chunk(grid.points().size(), [&](std::size_t begin, std::size_t end) {
     grid.for_each_neighbor(
         begin, end,
@@ -29,7 +30,7 @@ void for_each_pair(const Atoms& atoms, double cutoff, const CellGrid& grid, cons
 
 }  // namespace
 
-NeighborList::NeighborList(const Atoms& atoms, double cutoff) {
+NeighborList::NeighborList(const AtomsView& atoms, double cutoff) {
   require_valid(atoms, "neighbor list");
   require_positive(cutoff, "neighbor list", "cutoff");
   const CellGrid grid(atoms, cutoff * rounding_margin);

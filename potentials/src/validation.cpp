@@ -32,7 +32,7 @@ void require_valid_box(const Box& box, std::string_view function) {
 
 }  // namespace
 
-void require_valid(const Atoms& atoms, std::string_view function) {
+void require_valid(const AtomsView& atoms, std::string_view function) {
   if (atoms.positions.size() != atoms.species.size()) {
     throw InvalidAtoms(concat(function, ": ", atoms.positions.size(), " positions but ",
                               atoms.species.size(), " species; give one species per position"));

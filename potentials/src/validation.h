@@ -9,7 +9,7 @@ namespace trivalent::potentials {
 /// Throws InvalidAtoms, with a message that starts with `function`, unless positions and species
 /// are as many as each other, finite, countable by 32 bits, and every periodic direction has a
 /// cell.
-void require_valid(const Atoms& atoms, std::string_view function);
+void require_valid(const AtomsView& atoms, std::string_view function);
 
 /// Throws InvalidOption unless `value` is finite and > 0.
 void require_positive(double value, std::string_view function, std::string_view option);

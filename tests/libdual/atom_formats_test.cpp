@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "file_text.h"
 #include "small_cells.h"
 #include "temporary_folder.h"
 #include "trivalent/dual/bonding.h"
@@ -26,12 +27,6 @@ using testing_support::acetylene;
 using testing_support::graphene;
 using testing_support::message_of;
 using testing_support::TemporaryFolder;
-
-StructureFile file_of(const std::string& name, const std::string& text,
-                      const ReadOptions& options = {}) {
-  const TemporaryFolder folder;
-  return shell::read_structure(folder.file(name, text), {.reading = options});
-}
 
 std::string complaint(const std::string& name, const std::string& text) {
   return message_of<FileError>([&] { static_cast<void>(file_of(name, text)); });
@@ -128,15 +123,6 @@ TEST(Poscar, NeedsElementsWhereVasp4NamesNone) {
             potentials::Species::hydrogen);
 }
 
-TEST(Poscar, KeepsFlagsOfSelectiveDynamics) {
-  const Structure structure = file_of("POSCAR", poscar).structure;
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "b.poscar";
-  EXPECT_TRUE(write_structure(path, structure).empty());
-  const Structure back = shell::read_structure(path).structure;
-  EXPECT_EQ(flags_of(back), (std::vector<std::array<int, 3>>{{1, 1, 0}, {0, 0, 0}}));
-}
-
 TEST(Gro, ReadsTheLastFrameOrTheOneThatIsNamed) {
   const auto frame = [](const char* z) {
     return std::string("t\n1\n    1CNT     C1    1   0.100   0.200   ") + z +
@@ -192,14 +178,6 @@ TEST(Pdb, TakesTheUnitCubeForNoCell) {
   const std::string cube =
       "CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n";
   EXPECT_FALSE(file_of("a.pdb", cube + pdb_atom).structure.atoms.box.is_periodic());
-}
-
-TEST(Pdb, SaysThatItAppliesNoSpaceGroup) {
-  const std::string cell =
-      "CRYST1    9.000    9.000    9.000  90.00  90.00  90.00 P 21/c        4\n";
-  const StructureFile file = file_of("a.pdb", cell + pdb_atom);
-  ASSERT_EQ(file.notes.size(), 1u);
-  EXPECT_NE(file.notes[0].find("P 21/c"), std::string::npos);
 }
 
 const std::string cell_of_cif =

@@ -28,7 +28,7 @@ RelaxResult relax_under_rebo(Atoms atoms, const RelaxOptions& options) {
 
 /// One spring between two atoms, 1.5 Å long.
 class Spring : public Potential {
-  void compute(const Atoms& atoms, EnergyForces& result) override {
+  void compute(const AtomsView& atoms, EnergyForces& result) override {
     const Eigen::Vector3d between = atoms.positions[1] - atoms.positions[0];
     const double excess = between.norm() - 1.5;
     result.energy = 10.0 * excess * excess;

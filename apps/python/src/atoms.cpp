@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "arrays.h"
 #include "errors.h"
 #include "trivalent/dual/error.h"
 
@@ -35,20 +34,23 @@ potentials::Box box_of(py::handle cell, const std::array<bool, 3>& periodic) {
   return box;
 }
 
-void set_atoms(potentials::Atoms& atoms, py::handle positions, py::handle numbers,
-               const potentials::Box& box) {
-  const RealRows rows = real_rows(positions, "positions", 3);
+ArrayAtoms::ArrayAtoms(py::handle positions, py::handle numbers, const potentials::Box& box)
+    : positions_(real_rows(positions, "positions", 3)), box_(box) {
   const IndexRows elements = integers(numbers, "numbers");
-  const auto n = static_cast<std::size_t>(rows.shape(0));
-  if (rows.shape(0) != elements.shape(0)) {
-    throw InvalidArray(concat("numbers: ", elements.shape(0), " atomic numbers for ", n,
-                              " positions; there must be one per atom"));
+  if (positions_.shape(0) != elements.shape(0)) {
+    throw InvalidArray(concat("numbers: ", elements.shape(0), " atomic numbers for ",
+                              positions_.shape(0), " positions; there must be one per atom"));
   }
-  atoms.positions.resize(n);
-  atoms.species.resize(n);
-  if (n > 0) std::copy(rows.data(), rows.data() + rows.size(), atoms.positions[0].data());
-  for (std::size_t i = 0; i < n; ++i) atoms.species[i] = species_of(elements.data()[i], i);
-  atoms.box = box;
+  species_.resize(static_cast<std::size_t>(elements.shape(0)));
+  for (std::size_t i = 0; i < species_.size(); ++i) {
+    species_[i] = species_of(elements.data()[i], i);
+  }
+}
+
+potentials::AtomsView ArrayAtoms::view() const {
+  static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
+  const auto* first = reinterpret_cast<const Eigen::Vector3d*>(positions_.data());
+  return {{first, species_.size()}, species_, box_};
 }
 
 }  // namespace trivalent::python

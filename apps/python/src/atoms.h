@@ -2,16 +2,26 @@
 
 #include <pybind11/pybind11.h>
 
+#include "arrays.h"
 #include "trivalent/potentials/atoms.h"
 
 namespace trivalent::python {
 
-/// Atoms out of arrays: positions (n, 3) [Å], atomic numbers (n,), cell vectors as rows (3, 3) [Å],
-/// and three bools. The memory of `atoms` is reused.
-///
-/// @throws InvalidArray if shapes or types differ from that, or an element is neither C nor H.
-void set_atoms(potentials::Atoms& atoms, pybind11::handle positions, pybind11::handle numbers,
-               const potentials::Box& box);
+/// Atoms whose positions stay in the memory of a numpy array, which this keeps alive.
+class ArrayAtoms {
+ public:
+  /// @param positions  (n, 3) [Å]; copied only if they are not contiguous doubles
+  /// @param numbers    atomic numbers, (n,)
+  /// @throws InvalidArray if shapes or types differ from that, or an element is neither C nor H.
+  ArrayAtoms(pybind11::handle positions, pybind11::handle numbers, const potentials::Box& box);
+
+  [[nodiscard]] potentials::AtomsView view() const;
+
+ private:
+  RealRows positions_;
+  std::vector<potentials::Species> species_;
+  potentials::Box box_;
+};
 
 /// @param cell  (3, 3) [Å], or None for no box
 [[nodiscard]] potentials::Box box_of(pybind11::handle cell, const std::array<bool, 3>& periodic);

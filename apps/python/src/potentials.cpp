@@ -2,8 +2,8 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 
-#include "arrays.h"
 #include "atoms.h"
 #include "module.h"
 #include "trivalent/shell/potential_choice.h"
@@ -13,8 +13,8 @@ namespace {
 
 using potentials::EnergyForces;
 
-/// A potential with the atoms of its last evaluation, so that their memory and neighbors are used
-/// again. Several threads may call it; they take turns.
+/// A potential with the result of its last evaluation, so that its memory and the neighbors are
+/// used again. Several threads may call it; they take turns.
 class Calculator {
  public:
   explicit Calculator(const shell::PotentialChoice& choice)
@@ -23,38 +23,26 @@ class Calculator {
   std::shared_ptr<EnergyForces> evaluate(const py::handle& positions, const py::handle& numbers,
                                          const py::handle& cell,
                                          const std::array<bool, 3>& periodic) {
-    const potentials::Box box = box_of(cell, periodic);
-    Memory memory = take_memory();
-    set_atoms(memory.atoms, positions, numbers, box);
+    const ArrayAtoms atoms(positions, numbers, box_of(cell, periodic));
+    EnergyForces memory = take_memory();
     const py::gil_scoped_release released;
     const std::scoped_lock lock(evaluating_);
-    auto result = std::make_shared<EnergyForces>(
-        potential_->evaluate(memory.atoms, std::move(memory.result)));
-    last_atoms_ = std::move(memory.atoms);
-    last_result_ = result;
-    return result;
+    last_result_ =
+        std::make_shared<EnergyForces>(potential_->evaluate(atoms.view(), std::move(memory)));
+    return last_result_;
   }
 
  private:
-  struct Memory {
-    potentials::Atoms atoms = {};
-    EnergyForces result = {};
-  };
-
-  /// The arrays of the last call, as far as Python has none of them; none while another thread
+  /// The arrays of the last result, if Python has none of them; none while another thread
   /// evaluates.
-  Memory take_memory() {
+  EnergyForces take_memory() {
     const std::unique_lock lock(evaluating_, std::try_to_lock);
-    if (!lock) return {};
-    Memory memory = {.atoms = std::move(last_atoms_)};
-    if (last_result_.use_count() == 1) memory.result = std::move(*last_result_);
-    last_result_.reset();
-    return memory;
+    if (!lock || last_result_.use_count() != 1) return {};
+    return std::move(*std::exchange(last_result_, nullptr));
   }
 
   std::mutex evaluating_;
   std::unique_ptr<potentials::Potential> potential_;
-  potentials::Atoms last_atoms_;
   std::shared_ptr<EnergyForces> last_result_;
 };
 

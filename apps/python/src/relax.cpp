@@ -126,6 +126,7 @@ py::object check(const StructurePointer& structure, const std::optional<shell::S
   bool is_open = false;
   given.set("open", is_open);
   if (is_open) options.edge = shell::ShellEdge::allowed;
+  given.set("notes", options.notes);
   if (surface) options.surface = surface->mesh;
   shell::Json json;
   {

@@ -96,7 +96,11 @@ std::vector<potentials::Bond> bonds_from(py::handle pairs, const potentials::Ato
 std::shared_ptr<Structure> make_structure(const py::handle& positions, const py::handle& numbers,
                                           const potentials::Box& box, const py::handle& bonds) {
   auto structure = std::make_shared<Structure>();
-  set_atoms(structure->atoms, positions, numbers, box);
+  const ArrayAtoms arrays(positions, numbers, box);
+  const potentials::AtomsView atoms = arrays.view();
+  structure->atoms = {.positions = {atoms.positions.begin(), atoms.positions.end()},
+                      .species = {atoms.species.begin(), atoms.species.end()},
+                      .box = box};
   structure->bonds = bonds_from(bonds, structure->atoms);
   return structure;
 }

@@ -347,7 +347,7 @@ def check(
     options = _given(locals())
     given = _shell_argument(shell, periodic)
     mesh = None if surface is None else surface if isinstance(surface, Surface) else _repair(surface)
-    return _core.check(given._core, None if mesh is None else mesh._core, options)
+    return _core.check(given._core, None if mesh is None else mesh._core, options | {"notes": given.notes})
 
 
 def lammps_package(

@@ -30,6 +30,7 @@ class Cp2kReader {
       if (word == "&cell" || word == "&coord") {
         section = word;
       } else if (word.starts_with('&')) {
+        if (word == "&constraint") note_constraints();
         section.clear();
       } else if (section == "&cell") {
         read_cell(word);
@@ -75,6 +76,11 @@ class Cp2kReader {
     }
   }
 
+  void note_constraints() {
+    notes_.push_back(concat("line ", lines_.line_number(),
+                            ": &CONSTRAINT is not read; --fix of `relax` holds atoms"));
+  }
+
   void read_coordinate(const std::string& word) {
     if (word == "scaled") {
       is_scaled_ = fields_.size() == 1 || lower_case(fields_[1]).find('f') == std::string::npos;
@@ -101,7 +107,7 @@ class Cp2kReader {
     for (Eigen::Vector3d& x : atoms.positions) {
       x = is_scaled_ ? Eigen::Vector3d(atoms.box.cell * x) : Eigen::Vector3d(unit_ * x);
     }
-    return {.structure = std::move(structure_), .notes = {}};
+    return {.structure = std::move(structure_), .notes = std::move(notes_)};
   }
 
   LineReader lines_;
@@ -110,6 +116,7 @@ class Cp2kReader {
   bool is_scaled_ = false;
   double unit_ = 1.0;  // of the coordinates [Å]
   Structure structure_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

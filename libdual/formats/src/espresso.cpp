@@ -13,6 +13,7 @@
 #include "one_structure.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 
@@ -82,7 +83,13 @@ class EspressoReader {
       if (!element) lines_.fail("element ", in_quotes(label), "; the potentials know C and H");
       structure_.atoms.species.push_back(*element);
       structure_.atoms.positions.push_back(vector(1));
+      moves_.push_back({flag(4), flag(5), flag(6)});
     }
+  }
+
+  /// Whether an atom moves along an axis, 0 or 1; it does if nothing is said.
+  [[nodiscard]] int flag(std::size_t field) const {
+    return field < fields_.size() ? static_cast<int>(lines_.integer(fields_[field], 0, 1)) : 1;
   }
 
   /// name = value, several in a line.
@@ -126,6 +133,10 @@ class EspressoReader {
               ? Eigen::Vector3d(box.cell * x)
               : Eigen::Vector3d(length_of(position_unit_, line_of_positions_) * x);
     }
+    const auto moves_freely = [](const auto& flags) { return flags == std::array{1, 1, 1}; };
+    if (!std::ranges::all_of(moves_, moves_freely)) {
+      structure_.columns.push_back({.name = std::string(selective_dynamics), .values = moves_});
+    }
     return {.structure = std::move(structure_), .notes = {}};
   }
 
@@ -139,6 +150,7 @@ class EspressoReader {
   std::string position_unit_;
   std::size_t line_of_cell_ = 0;
   std::size_t line_of_positions_ = 0;
+  std::vector<std::array<int, 3>> moves_;  // per atom, along each axis
   Structure structure_;
 };
 
@@ -195,6 +207,7 @@ std::vector<std::string> write_espresso(std::ostream& out, const Structure& stru
     text += '\n';
   }
   text += "ATOMIC_POSITIONS angstrom\n";
+  const auto* flags = find_column<std::array<int, 3>>(structure, selective_dynamics);
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     text += symbol_of(atoms.species[i]);
     if (options.digits == Digits::ten_decimals) {
@@ -202,6 +215,8 @@ std::vector<std::string> write_espresso(std::ostream& out, const Structure& stru
     } else {
       append_plain(text, frame.positions[i]);
     }
+    for (std::size_t k = 0; flags != nullptr && k < 3; ++k)
+      text += (*flags)[i][k] != 0 ? " 1" : " 0";
     text += '\n';
   }
   out << text << "K_POINTS gamma\n";

@@ -15,4 +15,10 @@ void require_one_structure(const TextSource& source, const ReadOptions& options)
                              *options.frame));
 }
 
+std::optional<std::string> note_of_group_left_out(std::string_view name) {
+  if (name.empty() || name == "P 1" || name == "P1") return std::nullopt;
+  return concat("the space group ", in_quotes(name),
+                " is not applied: the atoms of the file are taken as all of the cell's");
+}
+
 }  // namespace trivalent::dual

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "trivalent/formats/structure_format.h"
 #include "trivalent/formats/text_file.h"
 
@@ -14,5 +18,9 @@ void require_one_structure(const TextSource& source, const ReadOptions& options)
 ///
 /// @throws InvalidOption if the options have one.
 void require_no_atom_style(const TextSource& source, const ReadOptions& options);
+
+/// What to say where a file of a molecule in a crystal names a space group: only its own atoms are
+/// read. Nothing for P 1, or no name.
+[[nodiscard]] std::optional<std::string> note_of_group_left_out(std::string_view name);
 
 }  // namespace trivalent::dual

@@ -35,11 +35,7 @@ class PdbReader {
     if (!wanted && n_models_ > 1) {
       file.notes.push_back(concat("the last of ", n_models_, " structures is taken"));
     }
-    if (!space_group_.empty() && space_group_ != "P 1" && space_group_ != "P1") {
-      file.notes.push_back(concat("the space group ", in_quotes(space_group_),
-                                  " is not applied: the atoms of the file are taken as all of the "
-                                  "cell's"));
-    }
+    if (const auto note = note_of_group_left_out(space_group_)) file.notes.push_back(*note);
     add_bonds();
     file.structure = std::move(structure_);
     return file;

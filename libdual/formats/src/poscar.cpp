@@ -12,6 +12,7 @@
 #include "one_structure.h"
 #include "species_data.h"
 #include "trivalent/dual/check_atoms.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/formats/elements.h"
 #include "trivalent/formats/text_file.h"
 
@@ -19,8 +20,6 @@ namespace trivalent::dual {
 namespace {
 
 using potentials::Species;
-
-constexpr std::string_view flags_name = selective_dynamics;
 
 /// Whether a line begins with one of these letters, in any case: all that VASP looks at.
 bool begins_with(std::string_view line, std::string_view letters) {
@@ -126,7 +125,7 @@ class PoscarReader {
       if (have_flags) flags.push_back({flag(3), flag(4), flag(5)});
     }
     if (have_flags) {
-      file_.structure.columns.push_back({.name = std::string(flags_name), .values = flags});
+      file_.structure.columns.push_back({.name = std::string(selective_dynamics), .values = flags});
     }
   }
 
@@ -152,15 +151,6 @@ class PoscarReader {
   Eigen::Vector3d scale_ = Eigen::Vector3d::Ones();
   StructureFile file_;
 };
-
-/// Flags that came with the atoms, if they did.
-const std::vector<std::array<int, 3>>* find_flags(const Structure& structure) {
-  for (const Column& column : structure.columns) {
-    if (column.name == flags_name)
-      return std::get_if<std::vector<std::array<int, 3>>>(&column.values);
-  }
-  return nullptr;
-}
 
 void write_head(std::ostream& out, const potentials::Atoms& atoms, const Eigen::Matrix3d& cell,
                 Digits digits) {
@@ -202,7 +192,7 @@ std::vector<std::string> write_poscar(std::ostream& out, const Structure& struct
     frame.notes.emplace_back("the order of the atoms changed: carbon is first");
   }
   write_head(out, atoms, frame.cell, options.digits);
-  const auto* flags = find_flags(structure);
+  const auto* flags = find_column<std::array<int, 3>>(structure, selective_dynamics);
   out << (flags != nullptr ? "Selective dynamics\nDirect\n" : "Direct\n");
   const Eigen::Matrix3d inverse = frame.cell.inverse();
   std::string line;

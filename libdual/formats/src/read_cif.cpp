@@ -31,6 +31,7 @@ class CifReader {
     read_cell();
     if (is_macromolecular_) {
       read_cartesian_sites();
+      note_group_left_out();
     } else {
       read_operations();
       read_fractional_sites();
@@ -95,6 +96,14 @@ class CifReader {
     }
     operations_.push_back(gemmi::Op::identity());
     file_.notes.emplace_back("the file names no symmetry: its sites are all the atoms");
+  }
+
+  void note_group_left_out() {
+    const std::string* value = block_.find_value("_symmetry.space_group_name_H-M");
+    if (value == nullptr || cif::is_null(*value)) return;
+    if (const auto note = note_of_group_left_out(cif::as_string(*value))) {
+      file_.notes.push_back(*note);
+    }
   }
 
   [[nodiscard]] potentials::Species element_of(const std::string& symbol,

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "gzip_stream.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/formats/cif.h"
 #include "trivalent/formats/cp2k.h"
 #include "trivalent/formats/dftb_gen.h"
@@ -80,7 +81,8 @@ std::vector<StructureFormat>& structure_formats() {
       {.name = "extxyz",
        .extensions = {".extxyz", ".xyz"},
        .read = read_xyz,
-       .write = write_extended_xyz},
+       .write = write_extended_xyz,
+       .holds_selective_dynamics = true},
       {.name = "lammps-data",
        .extensions = {".data", ".lmp", ".lammps-data"},
        .prefixes = {"data."},
@@ -90,7 +92,8 @@ std::vector<StructureFormat>& structure_formats() {
        .extensions = {".poscar", ".vasp"},
        .prefixes = {"poscar", "contcar"},
        .read = read_poscar,
-       .write = write_poscar},
+       .write = write_poscar,
+       .holds_selective_dynamics = true},
       {.name = "cif", .extensions = {".cif"}, .read = read_cif, .write = write_cif},
       {.name = "mmcif", .extensions = {".mmcif"}, .read = read_cif, .write = write_mmcif},
       {.name = "pdb", .extensions = {".pdb", ".ent"}, .read = read_pdb, .write = write_pdb},
@@ -101,7 +104,8 @@ std::vector<StructureFormat>& structure_formats() {
       {.name = "quantum-espresso",
        .extensions = {".pwi"},
        .read = read_espresso,
-       .write = write_espresso},
+       .write = write_espresso,
+       .holds_selective_dynamics = true},
       {.name = "cp2k", .extensions = {".inp"}, .read = read_cp2k, .write = write_cp2k},
   };
   return formats;
@@ -157,6 +161,10 @@ std::vector<std::string> write_structure(const std::filesystem::path& path,
     notes = format->write(out, structure, options);
     buffer.finish();
   });
+  const auto* flags = find_column<std::array<int, 3>>(structure, selective_dynamics);
+  if (flags != nullptr && !format->holds_selective_dynamics) {
+    notes.emplace_back("the flags of selective dynamics are not written: the format has none");
+  }
   return notes;
 }
 

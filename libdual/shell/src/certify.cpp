@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "pair_text.h"
 #include "trivalent/dual/bonding.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/dual/error.h"
+#include "trivalent/formats/structure_file.h"
 #include "trivalent/potentials/bonds.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/shell/number_text.h"
@@ -102,14 +105,6 @@ void check_topology(const dual::Structure& structure, ShellEdge edge, Certificat
   }
 }
 
-/// The values of a column, if the file has one of that name and type.
-template <typename Value>
-const std::vector<Value>* find_column(const dual::Structure& structure, std::string_view name) {
-  const auto found = std::ranges::find(structure.columns, name, &dual::Column::name);
-  if (found == structure.columns.end()) return nullptr;
-  return std::get_if<std::vector<Value>>(&found->values);
-}
-
 /// The total energy of a file with energies of its atoms [eV]. Others may be of any method.
 void compare_total_energy(const dual::Structure& structure, Certificate& certificate) {
   const auto entry = std::ranges::find(structure.header, "energy", &dual::HeaderEntry::key);
@@ -124,7 +119,7 @@ void compare_total_energy(const dual::Structure& structure, Certificate& certifi
 
 /// Energies and forces that the file claims.
 void compare_with_file(const dual::Structure& structure, Certificate& certificate) {
-  const auto* energies = find_column<double>(structure, "energies");
+  const auto* energies = dual::find_column<double>(structure, "energies");
   if (certificate.other_potential || energies == nullptr) return;
   double largest = 0.0;
   for (std::size_t i = 0; i < energies->size(); ++i) {
@@ -135,7 +130,7 @@ void compare_with_file(const dual::Structure& structure, Certificate& certificat
     certificate.problems.push_back("the energies in the file are not those of its atoms");
   }
   compare_total_energy(structure, certificate);
-  const auto* forces = find_column<Eigen::Vector3d>(structure, "forces");
+  const auto* forces = dual::find_column<Eigen::Vector3d>(structure, "forces");
   if (forces == nullptr) return;
   largest = 0.0;
   for (std::size_t i = 0; i < forces->size(); ++i) {
@@ -220,6 +215,9 @@ Certificate certify(const dual::Structure& structure, const CertifyOptions& opti
   if (certificate.other_potential == certificate.potential) certificate.other_potential.reset();
   certificate.bonds = structure.bonds.empty() ? BondSource::distance : BondSource::file;
   check_topology(structure, options.edge, certificate);
+  std::ranges::copy_if(
+      options.notes, std::back_inserter(certificate.problems),
+      [](const std::string& note) { return note.starts_with(dual::unused_bonds); });
   check_energies(structure, options, certificate);
   if (options.surface) {
     certificate.surface_distance =

@@ -55,10 +55,7 @@ std::vector<std::uint32_t> fixed_atoms(const dual::Structure& structure,
                                        const std::vector<potentials::Bond>& bonds,
                                        const RelaxOptions& options) {
   std::vector<std::uint32_t> fixed = atoms_in_groups(options.fixed, structure.atoms, bonds);
-  const auto column =
-      std::ranges::find(structure.columns, dual::selective_dynamics, &dual::Column::name);
-  if (column == structure.columns.end()) return fixed;
-  const auto* moves = std::get_if<std::vector<std::array<int, 3>>>(&column->values);
+  const auto* moves = dual::find_column<std::array<int, 3>>(structure, dual::selective_dynamics);
   if (moves == nullptr) return fixed;
   int n_held = 0;
   int n_partly = 0;

@@ -37,7 +37,7 @@ void add_pair(EnergyForces& result, std::uint32_t i, std::uint32_t j, double ene
 // that bonds connect.
 class NearPairs {
  public:
-  NearPairs(const Atoms& atoms, const BondList& bonds, Gradient& gradient, EnergyForces& result)
+  NearPairs(const AtomsView& atoms, const BondList& bonds, Gradient& gradient, EnergyForces& result)
       : atoms_(atoms), bonds_(bonds), gradient_(gradient), result_(result), paths_(bonds) {}
 
   /// Goes on to the pairs of another atom, and takes from those that bonds connect what FarPairs
@@ -127,7 +127,7 @@ class NearPairs {
     return std::nullopt;
   }
 
-  const Atoms& atoms_;
+  const AtomsView& atoms_;
   const BondList& bonds_;
   Gradient& gradient_;
   EnergyForces& result_;
@@ -168,7 +168,7 @@ void add_shares(std::size_t n, EnergyForces& result, const Body& body) {
   });
 }
 
-void add_near_pairs(const Atoms& atoms, const BondList& bonds, EnergyForces& result) {
+void add_near_pairs(const AtomsView& atoms, const BondList& bonds, EnergyForces& result) {
   const CellGrid grid(atoms, far_from * rounding_margin);
   add_shares(grid.points().size(), result, [&](std::size_t begin, std::size_t end, Share& share) {
     Gradient gradient(bonds, share);
@@ -209,7 +209,7 @@ void add_torsion(const BondList& bonds, EnergyForces& result) {
 
 }  // namespace
 
-EnergyForces airebo(const Atoms& atoms, const AireboOptions& options) {
+EnergyForces airebo(const AtomsView& atoms, const AireboOptions& options) {
   return Airebo(options).evaluate(atoms);
 }
 
@@ -226,7 +226,7 @@ Airebo::~Airebo() = default;
 
 void Airebo::forget() { state_ = std::make_unique<State>(); }
 
-void Airebo::compute(const Atoms& atoms, EnergyForces& result) {
+void Airebo::compute(const AtomsView& atoms, EnergyForces& result) {
   require_valid(atoms, "airebo");
   state_->bonded.evaluate(atoms, result);
   if (!options_.lennard_jones && !options_.torsion) return;

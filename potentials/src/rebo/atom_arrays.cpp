@@ -18,7 +18,7 @@ AtomArrays::AtomArrays(const Candidates& candidates, const Box& box)
   for (const Candidates::Image& image : candidates.images) image_homes.push_back(image.home);
 }
 
-void AtomArrays::place_tile(const Atoms& atoms, std::size_t tile) {
+void AtomArrays::place_tile(const AtomsView& atoms, std::size_t tile) {
   const Candidates& c = candidates_;
   for (std::uint32_t i = c.tiles[tile]; i < c.tiles[tile + 1]; ++i) {
     Eigen::Vector3d x = atoms.positions[c.order[i]];

@@ -17,7 +17,7 @@ class AtomArrays {
   AtomArrays(const Candidates& candidates, const Box& box);
 
   /// Copies the positions of a tile's atoms.
-  void place_tile(const Atoms& atoms, std::size_t tile);
+  void place_tile(const AtomsView& atoms, std::size_t tile);
   /// Copies the positions of the images of the atoms of some tiles, which have been placed.
   void place_images(const TileFlags& tiles);
 

@@ -8,8 +8,8 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-BondList::BondList(const Atoms& atoms, const Parameters& parameters)
-    : species_(&atoms.species), coordinations_(atoms.size()) {
+BondList::BondList(const AtomsView& atoms, const Parameters& parameters)
+    : species_(atoms.species), coordinations_(atoms.size()) {
   const NeighborList list(atoms, longest_bond);
   first_.push_back(0);
   for (std::uint32_t i = 0; i < atoms.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <ranges>
+#include <span>
 #include <vector>
 
 #include "rebo/parameters.h"
@@ -38,7 +39,7 @@ struct Coordination {
 class BondList {
  public:
   /// @throws InvalidAtoms as NeighborList does.
-  BondList(const Atoms& atoms, const Parameters& parameters);
+  BondList(const AtomsView& atoms, const Parameters& parameters);
 
   [[nodiscard]] const DirectedBond& operator[](std::size_t bond) const { return bonds_[bond]; }
   [[nodiscard]] std::size_t size() const { return bonds_.size(); }
@@ -51,12 +52,12 @@ class BondList {
   [[nodiscard]] const Coordination& coordination(std::uint32_t atom) const {
     return coordinations_[atom];
   }
-  [[nodiscard]] Species species(std::uint32_t atom) const { return (*species_)[atom]; }
+  [[nodiscard]] Species species(std::uint32_t atom) const { return species_[atom]; }
 
  private:
   void link_reverse_directions();
 
-  const std::vector<Species>* species_;
+  std::span<const Species> species_;
   std::vector<std::size_t> first_;
   std::vector<DirectedBond> bonds_;
   std::vector<Coordination> coordinations_;

@@ -26,7 +26,7 @@ using Shift = std::array<std::int16_t, 3>;
 
 class Candidates::Builder {
  public:
-  Builder(const Atoms& atoms, double skin, Candidates& result)
+  Builder(const AtomsView& atoms, double skin, Candidates& result)
       : atoms_(atoms),
         grid_(atoms, (longest_bond + skin) * rounding_margin),
         skin_(skin),
@@ -70,7 +70,7 @@ class Candidates::Builder {
     });
   }
 
-  const Atoms& atoms_;
+  const AtomsView& atoms_;
   CellGrid grid_;
   double skin_;
   Candidates& result_;
@@ -245,6 +245,6 @@ void Candidates::Builder::find_crossings() {
   }
 }
 
-Candidates::Candidates(const Atoms& atoms, double skin) { Builder(atoms, skin, *this).build(); }
+Candidates::Candidates(const AtomsView& atoms, double skin) { Builder(atoms, skin, *this).build(); }
 
 }  // namespace trivalent::potentials::rebo_detail

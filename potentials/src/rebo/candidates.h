@@ -19,7 +19,7 @@ namespace trivalent::potentials::rebo_detail {
 struct Candidates {
   /// @param atoms  valid ones, see require_valid
   /// @param skin   [Å], >= 0
-  Candidates(const Atoms& atoms, double skin);
+  Candidates(const AtomsView& atoms, double skin);
 
   [[nodiscard]] std::size_t count() const { return order.size(); }
   [[nodiscard]] std::size_t point_count() const { return order.size() + images.size(); }

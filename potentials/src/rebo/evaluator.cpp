@@ -36,7 +36,7 @@ Evaluator::Evaluator(const Parameters& parameters, double skin, RegularKernel ke
       regular_kernel_(kernel),
       skin_(skin) {}
 
-void Evaluator::evaluate(const Atoms& atoms, EnergyForces& result) {
+void Evaluator::evaluate(const AtomsView& atoms, EnergyForces& result) {
   result.energies.resize(atoms.size());
   result.forces.resize(atoms.size());
   const bool is_current = known_ && is_same_system(atoms) && evaluate_tiles(atoms, result);
@@ -58,12 +58,12 @@ void Evaluator::evaluate(const Atoms& atoms, EnergyForces& result) {
 }
 
 // All that atoms do to their links; false if one has moved too far for that.
-bool Evaluator::evaluate_tiles(const Atoms& atoms, EnergyForces& result) {
+bool Evaluator::evaluate_tiles(const AtomsView& atoms, EnergyForces& result) {
   return evaluate_regular_tiles(atoms, result) && evaluate_irregular_tiles(atoms, result);
 }
 
 // Tiles that turn out not to be regular are evaluated as irregular from now on.
-bool Evaluator::evaluate_regular_tiles(const Atoms& atoms, EnergyForces& result) {
+bool Evaluator::evaluate_regular_tiles(const AtomsView& atoms, EnergyForces& result) {
   std::atomic<bool> has_moved = false;
   for_each_part(known_->candidates.tile_count(), [&](std::size_t tile) {
     if (is_irregular_[tile] != 0) return;
@@ -87,7 +87,7 @@ bool Evaluator::evaluate_regular_tiles(const Atoms& atoms, EnergyForces& result)
   return !has_moved;
 }
 
-bool Evaluator::evaluate_irregular_tiles(const Atoms& atoms, EnergyForces& result) {
+bool Evaluator::evaluate_irregular_tiles(const AtomsView& atoms, EnergyForces& result) {
   known_->classifier.clear();
   const auto is_set = [](std::uint8_t flag) { return flag != 0; };
   if (std::ranges::none_of(is_irregular_, is_set)) return true;
@@ -121,12 +121,12 @@ TileFlags Evaluator::and_near(const TileFlags& tiles) const {
   return result;
 }
 
-bool Evaluator::is_same_system(const Atoms& atoms) const {
+bool Evaluator::is_same_system(const AtomsView& atoms) const {
   return atoms.size() == known_->candidates.count() && atoms.species.size() == atoms.size() &&
          atoms.box.periodic == box_.periodic && atoms.box.cell == box_.cell;
 }
 
-void Evaluator::start(const Atoms& atoms) {
+void Evaluator::start(const AtomsView& atoms) {
   require_valid(atoms, "rebo");
   known_.reset();
   known_ = std::make_unique<Known>(*this, atoms);
@@ -135,7 +135,7 @@ void Evaluator::start(const Atoms& atoms) {
   totals_.assign(known_->candidates.tile_count(), {});
 }
 
-Evaluator::Known::Known(const Evaluator& evaluator, const Atoms& atoms_then)
+Evaluator::Known::Known(const Evaluator& evaluator, const AtomsView& atoms_then)
     : candidates(atoms_then, evaluator.skin_),
       regular_tiles(atoms_then, candidates,
                     evaluator.parameters_.bond(Species::carbon, Species::carbon).cutoff),
@@ -151,7 +151,7 @@ Evaluator::Known::Known(const Evaluator& evaluator, const Atoms& atoms_then)
 
 // Copies the positions of some tiles, and of the images of their atoms; false if an atom has moved
 // too far.
-bool Evaluator::place(const Atoms& atoms, const TileFlags& tiles) {
+bool Evaluator::place(const AtomsView& atoms, const TileFlags& tiles) {
   std::atomic<bool> has_moved = false;
   for_each_part(tiles.size(), [&](std::size_t tile) {
     if (tiles[tile] == 0) return;

@@ -38,7 +38,7 @@ class Evaluator {
   /// Sets all of `result`, whatever it held.
   ///
   /// @throws InvalidAtoms as NeighborList does.
-  void evaluate(const Atoms& atoms, EnergyForces& result);
+  void evaluate(const AtomsView& atoms, EnergyForces& result);
 
   /// Clears the neighbors and what is known of the tiles: the next evaluation is that of a new
   /// object.
@@ -54,7 +54,7 @@ class Evaluator {
 
   // What is known of the atoms for as long as they stay near where they were.
   struct Known {
-    Known(const Evaluator& evaluator, const Atoms& atoms_then);
+    Known(const Evaluator& evaluator, const AtomsView& atoms_then);
 
     Candidates candidates;
     RegularTiles regular_tiles;
@@ -64,12 +64,12 @@ class Evaluator {
     ForceSums sums;
   };
 
-  void start(const Atoms& atoms);
-  [[nodiscard]] bool is_same_system(const Atoms& atoms) const;
-  [[nodiscard]] bool evaluate_tiles(const Atoms& atoms, EnergyForces& result);
-  [[nodiscard]] bool evaluate_regular_tiles(const Atoms& atoms, EnergyForces& result);
-  [[nodiscard]] bool evaluate_irregular_tiles(const Atoms& atoms, EnergyForces& result);
-  [[nodiscard]] bool place(const Atoms& atoms, const TileFlags& tiles);
+  void start(const AtomsView& atoms);
+  [[nodiscard]] bool is_same_system(const AtomsView& atoms) const;
+  [[nodiscard]] bool evaluate_tiles(const AtomsView& atoms, EnergyForces& result);
+  [[nodiscard]] bool evaluate_regular_tiles(const AtomsView& atoms, EnergyForces& result);
+  [[nodiscard]] bool evaluate_irregular_tiles(const AtomsView& atoms, EnergyForces& result);
+  [[nodiscard]] bool place(const AtomsView& atoms, const TileFlags& tiles);
   [[nodiscard]] TileFlags and_near(const TileFlags& tiles) const;
 
   const Parameters& parameters_;

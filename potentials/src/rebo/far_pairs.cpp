@@ -1,5 +1,6 @@
 #include "rebo/far_pairs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "parallel.h"
@@ -21,8 +22,10 @@ const NonbondedParameters& nonbonded(Species a, Species b) {
   return nonbonded_2000[static_cast<std::size_t>(a) + static_cast<std::size_t>(b)];
 }
 
-bool FarPairs::is_current(const Atoms& atoms) const {
-  if (at_.species != atoms.species || !is_same_box(at_.box, atoms.box)) return false;
+bool FarPairs::is_current(const AtomsView& atoms) const {
+  if (!std::ranges::equal(at_.species, atoms.species) || !is_same_box(at_.box, atoms.box)) {
+    return false;
+  }
   constexpr double farthest = 0.5 * skin;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const double moved = (atoms.positions[i] - at_.positions[i]).squaredNorm();
@@ -31,7 +34,7 @@ bool FarPairs::is_current(const Atoms& atoms) const {
   return true;
 }
 
-void FarPairs::find_neighbors(const Atoms& atoms) {
+void FarPairs::find_neighbors(const AtomsView& atoms) {
   const CellGrid grid(atoms, reach + skin);
   points_.clear();
   species_.clear();
@@ -59,7 +62,9 @@ void FarPairs::find_neighbors(const Atoms& atoms) {
     others_.insert(others_.end(), part.begin(), part.end());
     std::vector<std::uint32_t>().swap(part);
   }
-  at_ = atoms;
+  at_.positions.assign(atoms.positions.begin(), atoms.positions.end());
+  at_.species.assign(atoms.species.begin(), atoms.species.end());
+  at_.box = atoms.box;
 }
 
 ImagePair FarPairs::pair_of(const Point& from, const Point& to) {
@@ -68,7 +73,8 @@ ImagePair FarPairs::pair_of(const Point& from, const Point& to) {
   return pair;
 }
 
-void FarPairs::find_separations(std::size_t center, const Atoms& atoms, Separations& found) const {
+void FarPairs::find_separations(std::size_t center, const AtomsView& atoms,
+                                Separations& found) const {
   constexpr double begin = far_from * far_from;
   constexpr double unclear = begin * rounding_margin * rounding_margin;
   constexpr double end = reach * reach;
@@ -108,7 +114,7 @@ void FarPairs::Separations::evaluate(Species center) {
   }
 }
 
-Totals FarPairs::add_of(std::size_t center, const Atoms& atoms, Separations& pairs,
+Totals FarPairs::add_of(std::size_t center, const AtomsView& atoms, Separations& pairs,
                         EnergyForces& result) const {
   pairs.make_room(first_[center + 1] - first_[center]);
   find_separations(center, atoms, pairs);
@@ -135,7 +141,7 @@ Totals FarPairs::add_of(std::size_t center, const Atoms& atoms, Separations& pai
   return {.energy = energy, .virial = virial.selfadjointView<Eigen::Lower>()};
 }
 
-void FarPairs::add(const Atoms& atoms, EnergyForces& result) {
+void FarPairs::add(const AtomsView& atoms, EnergyForces& result) {
   if (!is_current(atoms)) find_neighbors(atoms);
   places_.resize(points_.size());
   for_each_chunk(points_.size(), [&](std::size_t begin, std::size_t end) {

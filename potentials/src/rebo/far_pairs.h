@@ -46,7 +46,7 @@ constexpr double far_from = 3.816370964;  // 2^(1/6) σ of carbon, the longest o
 class FarPairs {
  public:
   /// Adds energies, forces and virial.
-  void add(const Atoms& atoms, EnergyForces& result);
+  void add(const AtomsView& atoms, EnergyForces& result);
 
  private:
   struct Point {
@@ -81,10 +81,10 @@ class FarPairs {
     }
   };
 
-  void find_separations(std::size_t center, const Atoms& atoms, Separations& found) const;
-  [[nodiscard]] bool is_current(const Atoms& atoms) const;
-  void find_neighbors(const Atoms& atoms);
-  [[nodiscard]] Totals add_of(std::size_t center, const Atoms& atoms, Separations& pairs,
+  void find_separations(std::size_t center, const AtomsView& atoms, Separations& found) const;
+  [[nodiscard]] bool is_current(const AtomsView& atoms) const;
+  void find_neighbors(const AtomsView& atoms);
+  [[nodiscard]] Totals add_of(std::size_t center, const AtomsView& atoms, Separations& pairs,
                               EnergyForces& result) const;
 
   Atoms at_ = {};                        // where neighbors were found

@@ -8,7 +8,7 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-EnergyForces plain_rebo(const Atoms& atoms, const Parameters& parameters) {
+EnergyForces plain_rebo(const AtomsView& atoms, const Parameters& parameters) {
   EnergyForces result;
   set_zero(result, atoms.size());
   const BondList bonds(atoms, parameters);

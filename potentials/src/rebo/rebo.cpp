@@ -25,11 +25,11 @@ Rebo::~Rebo() = default;
 
 void Rebo::forget() { evaluator_->forget(); }
 
-void Rebo::compute(const Atoms& atoms, EnergyForces& result) {
+void Rebo::compute(const AtomsView& atoms, EnergyForces& result) {
   evaluator_->evaluate(atoms, result);
 }
 
-EnergyForces rebo(const Atoms& atoms, const ReboOptions& options) {
+EnergyForces rebo(const AtomsView& atoms, const ReboOptions& options) {
   (void)checked_skin(options);
   constexpr double no_skin = 0.0;  // neighbors are used once
   rebo_detail::Evaluator evaluator(rebo_detail::brenner_2002, no_skin);

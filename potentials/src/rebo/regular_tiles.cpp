@@ -11,7 +11,8 @@
 
 namespace trivalent::potentials::rebo_detail {
 
-RegularTiles::RegularTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff)
+RegularTiles::RegularTiles(const AtomsView& atoms, const Candidates& candidates,
+                           const Range& cutoff)
     : candidates_(candidates), cutoff_(cutoff), box_(atoms.box) {
   start_.resize(atoms.size());
   for_each_chunk(atoms.size(), [&](std::size_t begin, std::size_t end) {
@@ -21,7 +22,7 @@ RegularTiles::RegularTiles(const Atoms& atoms, const Candidates& candidates, con
   for_each_part(patches_.size(), [&](std::size_t t) { patches_[t] = Patch(candidates, t); });
 }
 
-double RegularTiles::squared_way(const Atoms& atoms, std::size_t tile) const {
+double RegularTiles::squared_way(const AtomsView& atoms, std::size_t tile) const {
   double largest = 0.0;
   for (std::uint32_t i = candidates_.tiles[tile]; i < candidates_.tiles[tile + 1]; ++i) {
     // The caller's order may jump about in memory.
@@ -52,7 +53,7 @@ RegularTiles::Outcome RegularTiles::evaluate(const Task& task, Workspace& worksp
   return Outcome::evaluated;
 }
 
-void RegularTiles::place(const Atoms& atoms, std::size_t tile, Workspace& workspace) const {
+void RegularTiles::place(const AtomsView& atoms, std::size_t tile, Workspace& workspace) const {
   const Candidates& c = candidates_;
   const std::vector<Patch::Outside>& outside = patches_[tile].outside;
   workspace.positions.resize(4 * (c.tiles[tile + 1] - c.tiles[tile] + outside.size()));

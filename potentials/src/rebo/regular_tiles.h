@@ -20,7 +20,7 @@ namespace trivalent::potentials::rebo_detail {
 class RegularTiles {
  public:
   /// @param atoms  where they were when `candidates` were found
-  RegularTiles(const Atoms& atoms, const Candidates& candidates, const Range& cutoff);
+  RegularTiles(const AtomsView& atoms, const Candidates& candidates, const Range& cutoff);
 
   [[nodiscard]] const Patch& patch(std::size_t tile) const { return patches_[tile]; }
 
@@ -38,7 +38,7 @@ class RegularTiles {
   enum class Outcome : std::uint8_t { evaluated, not_regular, moved };
 
   struct Task {
-    const Atoms& atoms;
+    const AtomsView& atoms;
     std::size_t tile;
     double max_moved;  ///< [Å] since the candidates were found
     const RegularParameters& parameters;
@@ -50,10 +50,10 @@ class RegularTiles {
 
   /// Largest distance² of an atom of the tile from where it was [Å²]; infinite if one became
   /// another element or is nowhere.
-  [[nodiscard]] double squared_way(const Atoms& atoms, std::size_t tile) const;
+  [[nodiscard]] double squared_way(const AtomsView& atoms, std::size_t tile) const;
 
  private:
-  void place(const Atoms& atoms, std::size_t tile, Workspace& workspace) const;
+  void place(const AtomsView& atoms, std::size_t tile, Workspace& workspace) const;
   void unpack(std::size_t tile, Workspace& workspace) const;
   [[nodiscard]] bool find_bonds(Workspace& workspace) const;
   void run_kernel(const Task& task, const Workspace& workspace, TileSlopes& slopes) const;

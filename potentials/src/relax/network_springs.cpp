@@ -17,7 +17,7 @@ std::array<std::int32_t, 3> back(const std::array<std::int32_t, 3>& image) {
   return {-image[0], -image[1], -image[2]};
 }
 
-Eigen::Vector3d separation(const Atoms& atoms, std::size_t from, const auto& to) {
+Eigen::Vector3d separation(const AtomsView& atoms, std::size_t from, const auto& to) {
   return atoms.box.shifted(atoms.positions[to.atom] - atoms.positions[from], to.image);
 }
 
@@ -31,7 +31,7 @@ double add_spring(const Eigen::Vector3d& between, double excess, double stiffnes
 
 }  // namespace
 
-NetworkSprings::NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds,
+NetworkSprings::NetworkSprings(const AtomsView& atoms, std::span<const Bond> bonds,
                                const SpringOptions& options)
     : options_(options), first_bonded_(atoms.size() + 1, 0), bonded_(2 * bonds.size()) {
   for (const Bond& bond : bonds) {
@@ -49,7 +49,7 @@ NetworkSprings::NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds,
   bends_.assign(atoms.size(), Eigen::Vector3d::Zero());
 }
 
-void NetworkSprings::set_scales(const Atoms& atoms) {
+void NetworkSprings::set_scales(const AtomsView& atoms) {
   scales_.assign(atoms.size(), 1.0);
   for (std::size_t i = 0; i < scales_.size(); ++i) {
     double sum = 0.0;
@@ -62,7 +62,7 @@ void NetworkSprings::set_scales(const Atoms& atoms) {
   }
 }
 
-void NetworkSprings::compute(const Atoms& atoms, EnergyForces& result) {
+void NetworkSprings::compute(const AtomsView& atoms, EnergyForces& result) {
   result.energies.resize(atoms.size());
   result.forces.resize(atoms.size());
   result.virial.setZero();
@@ -75,7 +75,7 @@ void NetworkSprings::compute(const Atoms& atoms, EnergyForces& result) {
   });
 }
 
-bool NetworkSprings::have_moved(const Atoms& atoms) const {
+bool NetworkSprings::have_moved(const AtomsView& atoms) const {
   if (positions_of_contacts_.size() != atoms.size()) return true;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const double moved = (atoms.positions[i] - positions_of_contacts_[i]).norm();
@@ -84,10 +84,10 @@ bool NetworkSprings::have_moved(const Atoms& atoms) const {
   return false;
 }
 
-void NetworkSprings::find_contacts(const Atoms& atoms) {
+void NetworkSprings::find_contacts(const AtomsView& atoms) {
   first_contact_.assign(atoms.size() + 1, 0);
   contacts_.clear();
-  positions_of_contacts_ = atoms.positions;
+  positions_of_contacts_.assign(atoms.positions.begin(), atoms.positions.end());
   if (options_.contact_stiffness == 0.0) return;
   const NeighborList neighbors(atoms, options_.contact.others + contact_skin);
   for (std::size_t i = 0; i < atoms.size(); ++i) {
@@ -120,7 +120,7 @@ double NetworkSprings::contact_distance(std::size_t from, std::uint32_t to) cons
   return is_third ? options_.contact.third : options_.contact.others;
 }
 
-void NetworkSprings::find_bends(const Atoms& atoms) {
+void NetworkSprings::find_bends(const AtomsView& atoms) {
   if (options_.smoothness == 0.0) return;
   for_each_chunk(atoms.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -135,7 +135,7 @@ void NetworkSprings::find_bends(const Atoms& atoms) {
 }
 
 // Sets the force on an atom; returns its half of all pairs and its own bend.
-double NetworkSprings::evaluate_atom(const Atoms& atoms, std::size_t atom,
+double NetworkSprings::evaluate_atom(const AtomsView& atoms, std::size_t atom,
                                      EnergyForces& result) const {
   Eigen::Vector3d force = options_.smoothness * bends_[atom];
   double energy = 0.5 * options_.smoothness * bends_[atom].squaredNorm();

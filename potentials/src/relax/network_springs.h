@@ -36,7 +36,7 @@ struct SpringOptions {
 /// smooth surface, or keep bonds within bounds under another potential.
 class NetworkSprings : public Potential {
  public:
-  NetworkSprings(const Atoms& atoms, std::span<const Bond> bonds, const SpringOptions& options);
+  NetworkSprings(const AtomsView& atoms, std::span<const Bond> bonds, const SpringOptions& options);
 
  private:
   using Image = std::array<std::int32_t, 3>;
@@ -54,19 +54,19 @@ class NetworkSprings : public Potential {
   };
 
   /// The result holds no virial.
-  void compute(const Atoms& atoms, EnergyForces& result) override;
+  void compute(const AtomsView& atoms, EnergyForces& result) override;
 
   [[nodiscard]] std::span<const Spring> bonded(std::size_t atom) const {
     return std::span(bonded_).subspan(first_bonded_[atom],
                                       first_bonded_[atom + 1] - first_bonded_[atom]);
   }
-  void set_scales(const Atoms& atoms);
+  void set_scales(const AtomsView& atoms);
   [[nodiscard]] double contact_distance(std::size_t from, std::uint32_t to) const;
   [[nodiscard]] bool is_bonded(std::size_t from, std::uint32_t to, const Image& image) const;
-  void find_bends(const Atoms& atoms);
-  void find_contacts(const Atoms& atoms);
-  [[nodiscard]] bool have_moved(const Atoms& atoms) const;
-  [[nodiscard]] double evaluate_atom(const Atoms& atoms, std::size_t atom,
+  void find_bends(const AtomsView& atoms);
+  void find_contacts(const AtomsView& atoms);
+  [[nodiscard]] bool have_moved(const AtomsView& atoms) const;
+  [[nodiscard]] double evaluate_atom(const AtomsView& atoms, std::size_t atom,
                                      EnergyForces& result) const;
 
   SpringOptions options_;

@@ -25,7 +25,7 @@ struct AireboOptions {
 /// @throws InvalidAtoms  see NeighborList; also if two atoms coincide.
 ///
 /// Cost: O(n · pairs within 10.2 Å); the same bytes on any number of threads.
-[[nodiscard]] EnergyForces airebo(const Atoms& atoms, const AireboOptions& options = {});
+[[nodiscard]] EnergyForces airebo(const AtomsView& atoms, const AireboOptions& options = {});
 
 /// airebo() as an object, which keeps the neighbors of atoms that move little: 10 to 600 pairs an
 /// atom of 4 bytes each.
@@ -39,7 +39,7 @@ class Airebo : public Potential {
  private:
   struct State;
 
-  void compute(const Atoms& atoms, EnergyForces& result) override;
+  void compute(const AtomsView& atoms, EnergyForces& result) override;
 
   AireboOptions options_;
   std::unique_ptr<State> state_;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace trivalent::potentials {
@@ -40,6 +41,21 @@ struct Atoms {
   std::vector<Species> species;            ///< as many as positions
   Box box;
   [[nodiscard]] std::size_t size() const { return positions.size(); }
+};
+
+/// Atoms in memory that someone else owns: what potentials evaluate. Atoms become one by
+/// themselves.
+struct AtomsView {
+  std::span<const Eigen::Vector3d> positions;  ///< [Å]
+  std::span<const Species> species;            ///< as many as positions
+  Box box = {};
+  [[nodiscard]] std::size_t size() const { return positions.size(); }
+
+  AtomsView(std::span<const Eigen::Vector3d> all_positions, std::span<const Species> all_species,
+            const Box& its_box)
+      : positions(all_positions), species(all_species), box(its_box) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): so that whoever has atoms passes them as they are
+  AtomsView(const Atoms& atoms) : AtomsView(atoms.positions, atoms.species, atoms.box) {}
 };
 
 }  // namespace trivalent::potentials

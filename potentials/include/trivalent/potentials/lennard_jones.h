@@ -24,7 +24,7 @@ struct LennardJonesOptions {
 /// @throws InvalidOption  if an option is out of its range.
 ///
 /// Cost: O(n · pairs per atom) time, O(n) memory; the same bytes on any number of threads.
-[[nodiscard]] EnergyForces lennard_jones(const Atoms& atoms,
+[[nodiscard]] EnergyForces lennard_jones(const AtomsView& atoms,
                                          const LennardJonesOptions& options = {});
 
 /// lennard_jones() as an object. Nothing is kept between evaluations.
@@ -34,7 +34,7 @@ class LennardJones : public Potential {
   explicit LennardJones(const LennardJonesOptions& options = {});
 
  private:
-  void compute(const Atoms& atoms, EnergyForces& result) override;
+  void compute(const AtomsView& atoms, EnergyForces& result) override;
 
   LennardJonesOptions options_;
 };

@@ -32,7 +32,7 @@ class NeighborList {
   /// @throws InvalidOption  if the cutoff is not a positive number.
   ///
   /// Cost: O(n log n + neighbors) time, O(n + neighbors) memory, whatever the size of the box.
-  NeighborList(const Atoms& atoms, double cutoff);
+  NeighborList(const AtomsView& atoms, double cutoff);
 
   /// Number of atoms.
   [[nodiscard]] std::size_t size() const { return first_.size() - 1; }

@@ -23,7 +23,7 @@ class Potential {
   ///
   /// @param memory  A former result; its values are ignored and its memory is reused.
   /// @throws InvalidAtoms  as the implementation says.
-  [[nodiscard]] EnergyForces evaluate(const Atoms& atoms, EnergyForces memory = {}) {
+  [[nodiscard]] EnergyForces evaluate(const AtomsView& atoms, EnergyForces memory = {}) {
     compute(atoms, memory);
     return memory;
   }
@@ -34,7 +34,7 @@ class Potential {
 
  private:
   /// Sets all of `result`, whatever it held.
-  virtual void compute(const Atoms& atoms, EnergyForces& result) = 0;
+  virtual void compute(const AtomsView& atoms, EnergyForces& result) = 0;
 };
 
 }  // namespace trivalent::potentials

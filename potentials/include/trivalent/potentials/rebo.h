@@ -27,7 +27,7 @@ struct ReboOptions {
 /// @throws InvalidOption  if an option is out of its range.
 ///
 /// Cost: O(n) time and memory; the same bytes on any number of threads.
-[[nodiscard]] EnergyForces rebo(const Atoms& atoms, const ReboOptions& options = {});
+[[nodiscard]] EnergyForces rebo(const AtomsView& atoms, const ReboOptions& options = {});
 
 /// The same potential for atoms that move: neighbors are kept from one evaluation to the next for
 /// as long as no atom has moved by more than half the skin.
@@ -43,7 +43,7 @@ class Rebo : public Potential {
 
  private:
   /// @throws InvalidAtoms  as rebo() does.
-  void compute(const Atoms& atoms, EnergyForces& result) override;
+  void compute(const AtomsView& atoms, EnergyForces& result) override;
 
   std::unique_ptr<rebo_detail::Evaluator> evaluator_;
 };

@@ -11,6 +11,7 @@ namespace trivalent::dual {
 
 /// Reads the cards ATOMIC_POSITIONS and CELL_PARAMETERS of an input of Quantum ESPRESSO's pw.x, in
 /// angstrom, bohr, crystal or alat (with celldm(1) or A). The cell is periodic in all directions.
+/// Flags after the positions become the column `selective_dynamics`.
 ///
 /// @throws FileError      if the file is missing or malformed, or its cell is given by another
 ///   ibrav than 0; the message names the line.

@@ -10,9 +10,6 @@
 
 namespace trivalent::dual {
 
-/// Column of the flags that say along which axes an atom may move: 1 where it may.
-inline constexpr std::string_view selective_dynamics = "selective_dynamics";
-
 /// Reads VASP's POSCAR or CONTCAR: scale or volume, Direct or Cartesian positions. Flags of
 /// "Selective dynamics" become the column `selective_dynamics`. Files of VASP 4 lack the elements;
 /// the options then name them. Velocities are left out.

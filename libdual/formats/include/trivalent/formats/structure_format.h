@@ -47,6 +47,7 @@ struct StructureFormat {
   /// @throws InvalidNetwork, InvalidOption if the format cannot hold the structure.
   std::vector<std::string> (*write)(std::ostream& out, const Structure& structure,
                                     const WriteOptions& options) = nullptr;
+  bool holds_selective_dynamics = false;  ///< write() keeps the column of that name
 };
 
 /// The formats that are known. A program may add its own before it reads or writes anything.
@@ -66,7 +67,7 @@ struct StructureFormat {
 /// Writes a file in the format that its name asks for, compressed if it ends in .gz. The file
 /// appears whole or not at all.
 ///
-/// @return  The notes of the format's write().
+/// @return  The notes of the format's write(), and that flags of selective dynamics are lost.
 /// @throws InvalidOption  if no format has the name.
 /// @throws FileError      if the file cannot be written.
 /// @throws what the format's write() throws.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "trivalent/dual/structure.h"
@@ -16,6 +19,18 @@ namespace trivalent::dual {
 
 /// energies [eV] and forces [eV/Å], under the names by which ASE knows them.
 [[nodiscard]] std::vector<Column> energy_columns(const potentials::EnergyForces& result);
+
+/// The values of a column; none if there is no column of that name and type.
+template <typename Value>
+[[nodiscard]] const std::vector<Value>* find_column(const Structure& structure,
+                                                    std::string_view name) {
+  const auto column = std::ranges::find(structure.columns, name, &Column::name);
+  if (column == structure.columns.end()) return nullptr;
+  return std::get_if<std::vector<Value>>(&column->values);
+}
+
+/// Column of the flags that say along which axes an atom may move: 1 where it may.
+inline constexpr std::string_view selective_dynamics = "selective_dynamics";
 
 /// Appends columns; older ones of the same names are removed.
 void replace_columns(Structure& structure, std::vector<Column> columns);

@@ -33,6 +33,8 @@ struct CertifyOptions {
   /// Have LAMMPS compute energies and forces too, and compare them atom by atom; its potential is
   /// set by certify().
   std::optional<LammpsOptions> lammps = {};
+  /// Notes of the file that the structure comes from: bonds that cannot be right are a problem.
+  std::vector<std::string> notes = {};
 };
 
 /// Largest differences of an atom between LAMMPS and us.
