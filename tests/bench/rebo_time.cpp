@@ -1,6 +1,7 @@
 // Times force evaluations of one structure, for comparison with other programs:
-//   rebo_time graphene|shell|FILE.xyz [threads [evaluations [rebo|airebo]]]
-//     microseconds per atom and evaluation; AIREBO's with the search for neighbors
+//   rebo_time graphene|shell|FILE.xyz [threads [evaluations [rebo|airebo|moving]]]
+//     microseconds per atom and evaluation; AIREBO's with the search for neighbors; moving: REBO's
+//     of atoms that move a little from one evaluation to the next
 //   rebo_time graphene|shell|FILE.xyz data FILE
 //     writes it for LAMMPS
 
@@ -67,7 +68,7 @@ int main(int argc, char** argv) try {
   if (argc < 2) {
     std::fprintf(stderr,
                  "usage: rebo_time graphene|shell|FILE.xyz "
-                 "[threads [evaluations [rebo|airebo]]]\n");
+                 "[threads [evaluations [rebo|airebo|moving]]]\n");
     return 2;
   }
   const auto atoms = bench::structure(argv[1]);
@@ -81,10 +82,17 @@ int main(int argc, char** argv) try {
   if (argc > 4 && std::string(argv[4]) == "airebo") {
     time_evaluations(atoms, evaluations, [&] { return potentials::airebo(atoms).energy; });
   } else {
+    const bool is_moving = argc > 4 && std::string(argv[4]) == "moving";
+    potentials::Atoms moved = atoms;
+    if (is_moving) {
+      for (Eigen::Vector3d& x : moved.positions) x *= 1.0 + 1e-6;
+    }
     potentials::Rebo potential;
     potentials::EnergyForces result;
+    bool is_odd = false;
     time_evaluations(atoms, evaluations, [&] {
-      result = potential.evaluate(atoms, std::move(result));
+      is_odd = !is_odd;
+      result = potential.evaluate(is_odd ? atoms : moved, std::move(result));
       return result.energy;
     });
   }

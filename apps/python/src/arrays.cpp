@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "errors.h"
@@ -43,15 +44,20 @@ RealRows real_rows(py::handle object, std::string_view name, py::ssize_t columns
   }
   RealRows rows = RealRows::ensure(array);
   if (!rows) throw InvalidArray(concat(name, ": too large, or not numbers"));
-  const double* const end = rows.data() + rows.size();
-  const double* const bad =
-      std::find_if_not(rows.data(), end, [](double value) { return std::isfinite(value); });
-  if (bad == end) return rows;
-  throw InvalidArray(concat(name, ": row ", (bad - rows.data()) / columns, " is not finite"));
+  return rows;
+}
+
+RealRows finite_rows(py::handle object, std::string_view name, py::ssize_t columns) {
+  RealRows rows = real_rows(object, name, columns);
+  const std::span values(rows.data(), static_cast<std::size_t>(rows.size()));
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  const auto bad = std::ranges::find_if_not(values, is_finite);
+  if (bad == values.end()) return rows;
+  throw InvalidArray(concat(name, ": row ", (bad - values.begin()) / columns, " is not finite"));
 }
 
 std::vector<Eigen::Vector3d> vectors(py::handle object, std::string_view name) {
-  const RealRows rows = real_rows(object, name, 3);
+  const RealRows rows = finite_rows(object, name, 3);
   std::vector<Eigen::Vector3d> result(static_cast<std::size_t>(rows.shape(0)));
   std::copy(rows.data(), rows.data() + rows.size(), result.empty() ? nullptr : result[0].data());
   return result;

@@ -37,11 +37,14 @@ template <typename Row>
 /// Numbers in rows and columns, of any real or integer type, aligned or not, in any order of bytes:
 /// only what is not so already is copied.
 ///
-/// @throws InvalidArray if it is no array of real numbers of shape (n, columns), or one of them is
-///   not finite; the message begins with the name.
+/// @throws InvalidArray if it is no array of real numbers of shape (n, columns); the message begins
+///   with the name.
 using RealRows = py::array_t<double, py::array::c_style | py::array::forcecast |
                                          py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 [[nodiscard]] RealRows real_rows(py::handle object, std::string_view name, py::ssize_t columns);
+
+/// Likewise, of finite numbers.
+[[nodiscard]] RealRows finite_rows(py::handle object, std::string_view name, py::ssize_t columns);
 
 /// Three numbers in a row, as in positions [Å].
 [[nodiscard]] std::vector<Eigen::Vector3d> vectors(py::handle object, std::string_view name);

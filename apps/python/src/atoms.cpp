@@ -1,6 +1,7 @@
 #include "atoms.h"
 
 #include <algorithm>
+#include <span>
 
 #include "errors.h"
 #include "trivalent/dual/error.h"
@@ -12,11 +13,18 @@ using potentials::Species;
 
 namespace {
 
-Species species_of(std::int64_t atomic_number, std::size_t atom) {
-  if (atomic_number == 6) return Species::carbon;
-  if (atomic_number == 1) return Species::hydrogen;
-  throw InvalidArray(concat("numbers: atom ", atom, " has the atomic number ", atomic_number,
-                            "; only carbon (6) and hydrogen (1) are known"));
+std::vector<Species> species_of(std::span<const std::int64_t> numbers) {
+  std::vector<Species> species(numbers.size());
+  std::size_t n_known = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    species[i] = numbers[i] == 6 ? Species::carbon : Species::hydrogen;
+    n_known += numbers[i] == 6 || numbers[i] == 1 ? 1 : 0;
+  }
+  if (n_known == numbers.size()) return species;
+  const auto unknown =
+      std::ranges::find_if(numbers, [](std::int64_t number) { return number != 6 && number != 1; });
+  throw InvalidArray(concat("numbers: atom ", unknown - numbers.begin(), " has the atomic number ",
+                            *unknown, "; only carbon (6) and hydrogen (1) are known"));
 }
 
 }  // namespace
@@ -27,7 +35,7 @@ potentials::Box box_of(py::handle cell, const std::array<bool, 3>& periodic) {
     if (box.is_periodic()) throw InvalidArray("cell: periodic atoms need cell vectors");
     return box;
   }
-  const RealRows rows = real_rows(cell, "cell", 3);
+  const RealRows rows = finite_rows(cell, "cell", 3);
   if (rows.shape(0) != 3) throw InvalidArray("cell: three cell vectors are needed, one per row");
   // Its columns are the vectors, one after the other in memory, as rows are in numpy.
   std::copy(rows.data(), rows.data() + rows.size(), box.cell.data());
@@ -41,10 +49,7 @@ ArrayAtoms::ArrayAtoms(py::handle positions, py::handle numbers, const potential
     throw InvalidArray(concat("numbers: ", elements.shape(0), " atomic numbers for ",
                               positions_.shape(0), " positions; there must be one per atom"));
   }
-  species_.resize(static_cast<std::size_t>(elements.shape(0)));
-  for (std::size_t i = 0; i < species_.size(); ++i) {
-    species_[i] = species_of(elements.data()[i], i);
-  }
+  species_ = species_of({elements.data(), static_cast<std::size_t>(elements.size())});
 }
 
 potentials::AtomsView ArrayAtoms::view() const {

@@ -10,7 +10,8 @@ namespace trivalent::python {
 /// Atoms whose positions stay in the memory of a numpy array, which this keeps alive.
 class ArrayAtoms {
  public:
-  /// @param positions  (n, 3) [Å]; copied only if they are not contiguous doubles
+  /// @param positions  (n, 3) [Å]; copied only if they are not contiguous doubles. Potentials see
+  ///   for themselves whether they are finite.
   /// @param numbers    atomic numbers, (n,)
   /// @throws InvalidArray if shapes or types differ from that, or an element is neither C nor H.
   ArrayAtoms(pybind11::handle positions, pybind11::handle numbers, const potentials::Box& box);

@@ -96,7 +96,7 @@ std::vector<potentials::Bond> bonds_from(py::handle pairs, const potentials::Ato
 std::shared_ptr<Structure> make_structure(const py::handle& positions, const py::handle& numbers,
                                           const potentials::Box& box, const py::handle& bonds) {
   auto structure = std::make_shared<Structure>();
-  const ArrayAtoms arrays(positions, numbers, box);
+  const ArrayAtoms arrays(finite_rows(positions, "positions", 3), numbers, box);
   const potentials::AtomsView atoms = arrays.view();
   structure->atoms = {.positions = {atoms.positions.begin(), atoms.positions.end()},
                       .species = {atoms.species.begin(), atoms.species.end()},
@@ -118,7 +118,7 @@ dual::Column column_of(const std::string& name, const py::array& values, std::si
     const IndexRows rows = integers(values, name);
     return {.name = name, .values = std::vector<int>(rows.data(), rows.data() + rows.size())};
   }
-  const RealRows rows = real_rows(values.attr("reshape")(-1, 1), name, 1);
+  const RealRows rows = finite_rows(values.attr("reshape")(-1, 1), name, 1);
   return {.name = name, .values = std::vector<double>(rows.data(), rows.data() + rows.size())};
 }
 

@@ -41,7 +41,7 @@ class _Potential(Calculator, metaclass=abc.ABCMeta):  # type: ignore[misc]
         self.results = {}
 
     def check_state(self, atoms: Atoms, tol: float = 0.0) -> list[str]:
-        """What has changed of the atoms, exactly: faster than ASE's comparison within a tolerance."""
+        """What has changed of the atoms, to the bit: faster than ASE's comparison within a tolerance."""
         known = self.atoms
         if known is None:
             return list(all_changes)
@@ -51,7 +51,7 @@ class _Potential(Calculator, metaclass=abc.ABCMeta):  # type: ignore[misc]
             "cell": (known.cell.array, atoms.cell.array),
             "pbc": (known.pbc, atoms.pbc),
         }
-        return [name for name, (old, new) in pairs.items() if not np.array_equal(old, new)]
+        return [name for name, (old, new) in pairs.items() if not _core.are_same_bytes(old, new)]
 
     def calculate(
         self,
