@@ -152,6 +152,27 @@ TEST(BuildShell, MakesClosedWallsAroundEachOther) {
   }
 }
 
+TEST(BuildShell, MakesWallsOfSurfacesWithAnEdge) {
+  const remesh::TriMesh tube =
+      remesh::make_shape("open-tube", {{"radius", 6.0}, {"length", 20.0}}, 1.0);
+  const dual::Shell shell = dual::build_shell(tube, three_walls());
+  const auto& positions = shell.structure.atoms.positions;
+  ASSERT_EQ(shell.wall_of_atom.size(), positions.size());
+  std::array<double, 3> radius = {};
+  std::array<double, 3> count = {};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto wall = static_cast<std::size_t>(shell.wall_of_atom[i]);
+    radius[wall] += positions[i].head<2>().norm();
+    count[wall] += 1.0;
+  }
+  for (std::size_t wall = 0; wall < 3; ++wall) {
+    // Atoms lie inside the net of triangles on the surface.
+    EXPECT_NEAR(radius[wall] / count[wall], 6.0 + 3.4 * static_cast<double>(wall), 0.2);
+  }
+  const dual::ShellEstimate estimate = dual::estimate_shell(tube, three_walls());
+  EXPECT_NEAR(static_cast<double>(positions.size()) / estimate.atoms, 1.0, 0.1);
+}
+
 TEST(BuildShell, SaysHowManyWallsFit) {
   const auto message_of = [](const remesh::TriMesh& mesh, dual::ShellOptions options) {
     try {
@@ -170,7 +191,8 @@ TEST(BuildShell, SaysHowManyWallsFit) {
   EXPECT_NE(message_of(torus, options).find("only 1 wall fits"), std::string::npos);
   const remesh::TriMesh open =
       remesh::make_shape("open-tube", {{"radius", 6.0}, {"length", 20.0}}, 1.0);
-  EXPECT_NE(message_of(open, three_walls()).find("boundary"), std::string::npos);
+  options = three_walls(dual::WallSide::inwards);
+  EXPECT_NE(message_of(open, options).find("only 2 walls fit"), std::string::npos);
   for (const dual::WallOptions& wrong :
        {dual::WallOptions{.count = 0}, dual::WallOptions{.count = 101},
         dual::WallOptions{.count = 2, .spacing = 0.0}}) {

@@ -59,11 +59,40 @@ TEST(OffsetSurface, GoesOnThroughTheFacesOfACell) {
   EXPECT_EQ(find_components(beside).parts[0].euler_characteristic(), -8);
 }
 
+TEST(OffsetSurface, MovesASurfaceWithItsBoundary) {
+  const TriMesh tube = make_shape("open-tube", {{"radius", 5.0}, {"length", 20.0}}, 0.5);
+  for (const double distance : {3.0, -2.0}) {
+    const TriMesh offset = offset_surface(tube, distance, 0.5);
+    for (const auto v : offset.vertices()) {
+      EXPECT_NEAR(offset.point(v).head<2>().norm(), 5.0 + distance, 0.02);
+    }
+    EXPECT_FALSE(find_components(offset).parts[0].is_closed());
+  }
+  // Two walls at a right angle stay plane: the crease moves farther than they do.
+  const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {0, 5, 0}, {4, 0, 0},
+                                               {4, 5, 0}, {0, 0, 4}, {0, 5, 4}};
+  const std::vector<std::array<int, 3>> faces = {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {4, 1, 5}};
+  const TriMesh beside = offset_surface(make_mesh(points, faces), 1.0, 1.0);
+  EXPECT_NEAR((beside.point(VertexHandle(0)) - Eigen::Vector3d(1, 0, 1)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((beside.point(VertexHandle(2)) - Eigen::Vector3d(4, 0, 1)).norm(), 0.0, 1e-9);
+}
+
 TEST(OffsetSurface, RefusesWhatCannotBe) {
   const TriMesh sphere = make_shape("sphere", {}, 0.1);
   EXPECT_THROW(static_cast<void>(offset_surface(sphere, -1.5, 0.1)), InvalidMesh);
-  EXPECT_THROW(static_cast<void>(offset_surface(make_shape("open-tube", {}, 0.2), 0.5, 0.1)),
-               InvalidMesh);
+  const TriMesh tube = make_shape("open-tube", {{"radius", 1.0}, {"length", 3.0}}, 0.2);
+  EXPECT_THROW(static_cast<void>(offset_surface(tube, -1.5, 0.1)), InvalidMesh);
+  // Two triangles that look at each other, 2 apart.
+  const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0},
+                                               {0, 0, 2}, {0, 3, 2}, {3, 0, 2}};
+  const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {3, 4, 5}};
+  EXPECT_NO_THROW(static_cast<void>(offset_surface(make_mesh(points, faces), 0.9, 0.1)));
+  EXPECT_THROW(static_cast<void>(offset_surface(make_mesh(points, faces), 1.5, 0.1)), InvalidMesh);
+}
+
+TEST(GaussCurvatureIntegral, IsTheSolidAngleOfTheNormals) {
+  EXPECT_NEAR(gauss_curvature_integral(make_shape("sphere", {}, 0.1)), 4.0 * pi, 1e-9);
+  EXPECT_NEAR(gauss_curvature_integral(make_shape("open-tube", {}, 0.2)), 0.0, 1e-9);
 }
 
 TEST(MeanCurvatureIntegral, OfASphereIsFourPiR) {

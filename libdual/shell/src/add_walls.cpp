@@ -84,27 +84,19 @@ TriMesh joined(const std::vector<TriMesh>& meshes) {
 /// Walls of a shell, made one after the other.
 class Walls {
  public:
-  Walls(Shell& shell, const WallOptions& options) : shell_(shell), options_(options) {
-    if (std::ranges::any_of(shell.surface.mesh.edges(),
-                            [](const auto e) { return e.is_boundary(); })) {
-      throw remesh::InvalidMesh(
-          "build: several walls need a surface without boundary; close it by --holes fill or "
-          "--repair wrap");
-    }
+  /// @param given  The surface of the first wall [Å].
+  Walls(Shell& shell, TriMesh given, const WallOptions& options)
+      : shell_(shell), options_(options), given_(std::move(given)) {
+    is_open_ = std::ranges::any_of(given_.edges(), [](const auto e) { return e.is_boundary(); });
     nets_.push_back(std::move(shell.surface.mesh));
   }
 
   /// The surface of the next wall.
   TriMesh next_surface() {
     const TriMesh& last = nets_.back();
-    const double distance =
-        options_.spacing * (options_.side == WallSide::outwards ? outward_factor : -inward_factor);
-    // Triangles half as long as the net's look smooth to the next net.
-    const double edge_length =
-        std::min(0.5 * remesh::mean_edge_length(last), 0.5 * options_.spacing);
     std::optional<TriMesh> offset;
     try {
-      offset = remesh::offset_surface(last, distance, edge_length);
+      offset = is_open_ ? next_sheet() : beside(last);
     } catch (const remesh::InvalidMesh&) {
       refuse("nothing is left of the surface for another, or it would touch itself");
     }
@@ -168,6 +160,22 @@ class Walls {
   }
 
  private:
+  /// The surface beside a net.
+  [[nodiscard]] TriMesh beside(const TriMesh& last) const {
+    const double factor = options_.side == WallSide::outwards ? outward_factor : -inward_factor;
+    // Triangles half as long as the net's look smooth to the next net.
+    const double edge_length =
+        std::min(0.5 * remesh::mean_edge_length(last), 0.5 * options_.spacing);
+    return remesh::offset_surface(last, factor * options_.spacing, edge_length);
+  }
+
+  /// Nets with an edge lie on their surface, so that all walls are offsets of the given one.
+  [[nodiscard]] TriMesh next_sheet() const {
+    const double distance = sign_of(options_.side) * options_.spacing;
+    return remesh::offset_surface(given_, static_cast<double>(nets_.size()) * distance,
+                                  remesh::mean_edge_length(given_));
+  }
+
   [[noreturn]] void refuse(const std::string& reason) const {
     const std::size_t n = nets_.size();
     throw remesh::InvalidMesh(
@@ -178,6 +186,8 @@ class Walls {
 
   Shell& shell_;
   const WallOptions& options_;
+  TriMesh given_;
+  bool is_open_ = false;       // whether it has a boundary
   std::vector<TriMesh> nets_;  // in the order of their making [Å]
   std::vector<int> left_out_;  // parts of each surface
 };
@@ -199,7 +209,7 @@ std::vector<double> areas_of_walls(const TriMesh& mesh, double scale, const Wall
   const double area = remesh::surface_area(mesh) * scale * scale;
   if (walls.count == 1) return {area};
   const double bend = remesh::mean_curvature_integral(mesh) * scale;
-  const double gauss = 2.0 * std::numbers::pi * euler_characteristic(mesh);
+  const double gauss = remesh::gauss_curvature_integral(mesh);
   const double step = sign_of(walls.side) * walls.spacing;
   std::vector<double> areas;
   for (int wall = 0; wall < walls.count; ++wall) {
@@ -229,13 +239,12 @@ double scale_for_area(const TriMesh& mesh, double area, const WallOptions& walls
   return high;
 }
 
-void add_walls(Shell& shell, const WallOptions& options, double edge_length,
-               const NetMaker& make_net) {
-  Walls walls(shell, options);
+void add_walls(Shell& shell, TriMesh given, const WallOptions& options, const NetMaker& maker) {
+  Walls walls(shell, std::move(given), options);
   while (!walls.is_complete()) {
     const TriMesh surface = walls.next_surface();
     try {
-      walls.add(make_net(surface, walls.faces_on(surface, edge_length)));
+      walls.add(maker.make(surface, walls.faces_on(surface, maker.edge_length)));
     } catch (const remesh::Stopped&) {
       walls.stopped();
     }

@@ -21,15 +21,20 @@ void check_wall_options(const WallOptions& walls);
 [[nodiscard]] double scale_for_area(const remesh::TriMesh& mesh, double area,
                                     const WallOptions& walls);
 
-/// Makes the net of a surface in Å with about so many faces.
-using NetMaker = std::function<remesh::RemeshResult(const remesh::TriMesh&, double faces)>;
+/// How the net of each wall is made.
+struct NetMaker {
+  double edge_length;  ///< of nets at rest [Å]
+  /// Makes the net of a surface in Å with about so many faces.
+  std::function<remesh::RemeshResult(const remesh::TriMesh&, double faces)> make;
+};
 
 /// Adds walls to a shell of one, net by net: each is a net of the surface at the given distance
-/// from the net before, so that walls follow each other where they leave the surface.
+/// from the net before, so that walls follow each other where they leave the surface. Nets with an
+/// edge do not leave it, and each is one of the given surface moved by so many distances.
 ///
-/// @param edge_length  Of the nets at rest [Å].
+/// @param given  The surface of the shell's first wall [Å].
 /// @throws remesh::InvalidMesh if there is no room for so many; the message says for how many.
-void add_walls(Shell& shell, const WallOptions& walls, double edge_length,
-               const NetMaker& make_net);
+void add_walls(Shell& shell, remesh::TriMesh given, const WallOptions& walls,
+               const NetMaker& maker);
 
 }  // namespace trivalent::dual

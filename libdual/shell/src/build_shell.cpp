@@ -256,11 +256,15 @@ Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
   if (options.walls.count > 1) {
     int wall = 0;
     const double edge_length = edge_length_for_bond(options.bond);
-    add_walls(shell, options.walls, edge_length, [&](const TriMesh& surface, double faces) {
+    const auto make_net = [&](const TriMesh& surface, double faces) {
       const remesh::RemeshMethod method = with_shared_progress(
           with_faces(method_of_wall(method_at_rest(options)), faces), ++wall, options.walls.count);
       return remesh::remesh_by(surface, method, edge_length);
-    });
+    };
+    TriMesh given = mesh;
+    remesh::scale(given, shell.scale);
+    add_walls(shell, std::move(given), options.walls,
+              {.edge_length = edge_length, .make = make_net});
   }
   shell.structure = build_dual(shell.surface.mesh);
   return shell;

@@ -159,8 +159,13 @@ struct SurfaceProjector::Impl {
                                                      const Eigen::Vector3d& p) const {
     std::pair<int, Foot> best = {triangle, foot};
     const std::array<int, 3>& own = corners[at(face_of[at(triangle)])];
-    const auto v = at(own[foot.corners & 1U ? 0 : foot.corners & 2U ? 1 : 2]);
-    for (const int other : fans[v]) {
+    std::span<const int> fan;  // the smaller one of an edge's ends: a pole may have thousands
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((foot.corners >> k & 1U) == 0U) continue;
+      const std::span<const int> at_corner = fans[at(own[k])];
+      if (fan.empty() || at_corner.size() < fan.size()) fan = at_corner;
+    }
+    for (const int other : fan) {
       const std::array<int, 3>& others = corners[at(face_of[at(other)])];
       bool shares = other != triangle;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "mesh/geometry.h"
@@ -77,6 +78,20 @@ double bending_integral(const TriMesh& mesh) {
 double mean_curvature_integral(const TriMesh& mesh) {
   double sum = 0.0;
   for (const auto e : mesh.edges()) sum += 0.5 * bend_at(mesh, e) * edge_length(mesh, e);
+  return sum;
+}
+
+double gauss_curvature_integral(const TriMesh& mesh) {
+  const auto is_boundary = [](const auto e) { return e.is_boundary(); };
+  if (std::ranges::none_of(mesh.edges(), is_boundary)) {
+    return 2.0 * std::numbers::pi * euler_characteristic(mesh);
+  }
+  double sum = 0.0;
+  for (const auto v : mesh.vertices()) {
+    if (v.is_boundary()) continue;
+    sum += 2.0 * std::numbers::pi;
+    for (const auto h : mesh.vih_range(v)) sum -= corner_angle(mesh, h);
+  }
   return sum;
 }
 

@@ -1,13 +1,14 @@
 #include "trivalent/remesh/offset_surface.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mesh/geometry.h"
 #include "mesh/surface_projector.h"
 #include "sources/implicit_surface.h"
 #include "trivalent/remesh/error.h"
@@ -59,10 +60,8 @@ Lattice framed(const TriMesh& surface, double room, Eigen::Vector3d& center) {
   return {cell, lattice.periodic()};
 }
 
-void require_closed(const TriMesh& surface, std::string_view caller) {
-  if (std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); })) {
-    throw InvalidMesh(concat(caller, ": the surface has a boundary"));
-  }
+bool has_boundary(const TriMesh& surface) {
+  return std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
 /// Distance of p from a surface, < 0 on the side from which its normals point away.
@@ -73,10 +72,55 @@ double signed_distance(const SurfaceProjector& projector, const Lattice& lattice
   return away.dot(projector.normal(foot)) < 0.0 ? -away.norm() : away.norm();
 }
 
+/// The shortest step of a vertex that takes the planes of the faces around it to the distance:
+/// along the normal where the surface is smooth, farther at creases and corners.
+Eigen::Vector3d step_to_offset(const TriMesh& surface, VertexHandle v, double distance) {
+  Eigen::Matrix3d planes = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d distances = Eigen::Vector3d::Zero();
+  double weights = 0.0;
+  for (const auto h : surface.vih_range(v)) {
+    if (h.is_boundary()) continue;
+    const Eigen::Vector3d normal = face_normal(surface, h.face());
+    const double weight = corner_angle(surface, h);
+    if (!normal.allFinite() || !std::isfinite(weight)) continue;
+    planes += weight * normal * normal.transpose();
+    distances += weight * distance * normal;
+    weights += weight;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(planes);
+  constexpr double hardly_bent = 0.02;  // two planes at 16 degrees: the normal is good enough
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double strength = solver.eigenvalues()[k];
+    const Eigen::Vector3d direction = solver.eigenvectors().col(k);
+    if (strength > hardly_bent * weights) step += direction.dot(distances) / strength * direction;
+  }
+  return step;
+}
+
+/// The offset of a surface with a boundary.
+TriMesh moved_sheet(const TriMesh& surface, double distance) {
+  const SurfaceProjector projector(surface);
+  TriMesh moved = surface;
+  for (const auto v : surface.vertices()) {
+    moved.point(v) += step_to_offset(surface, v, distance);
+    constexpr double slack = 0.9;
+    if (projector.distance(moved.point(v)) < slack * std::abs(distance)) {
+      throw InvalidMesh("offset_surface: the offset touches itself");
+    }
+  }
+  for (const auto f : surface.faces()) {
+    if (face_normal(moved, f).dot(face_normal(surface, f)) <= 0.0) {
+      throw InvalidMesh("offset_surface: the offset would be turned inside out");
+    }
+  }
+  return moved;
+}
+
 }  // namespace
 
 TriMesh offset_surface(const TriMesh& surface, double distance, double edge_length) {
-  require_closed(surface, "offset_surface");
+  if (has_boundary(surface)) return moved_sheet(surface, distance);
   const SurfaceProjector projector(surface);
   const double room = std::abs(distance) + 4.0 * edge_length;
   ImplicitSurface offset;
@@ -98,7 +142,7 @@ TriMesh offset_surface(const TriMesh& surface, double distance, double edge_leng
 }
 
 TriMesh surface_in_lattice(const TriMesh& surface, const Lattice& lattice) {
-  require_closed(surface, "surface_in_lattice");
+  if (has_boundary(surface)) throw InvalidMesh("surface_in_lattice: the surface has a boundary");
   const SurfaceProjector projector(surface);
   ImplicitSurface anew;
   anew.lattice = lattice;

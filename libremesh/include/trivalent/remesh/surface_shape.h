@@ -25,6 +25,10 @@ struct FeatureLines {
 /// at a distance d has the area A + 2d ∫ H dA + d² ∫ K dA [Steiner1840].
 [[nodiscard]] double mean_curvature_integral(const TriMesh& mesh);
 
+/// ∫ K dA for the Gaussian curvature K: 2π times the Euler characteristic of a surface without
+/// boundary [Bonnet1848], else the angles that are missing around the inner vertices.
+[[nodiscard]] double gauss_curvature_integral(const TriMesh& mesh);
+
 /// Parts of a net that bend too tightly for its edges.
 struct FineParts {
   int vertices = 0;     ///< with a mean curvature above 1/radius
