@@ -22,7 +22,7 @@ Grammar grammar_of_dual() {
 int run_dual(const Command& self, std::span<const std::string> arguments) {
   const auto session = start(self, arguments, grammar_of_dual());
   if (!session) return done;
-  const dual::DualSize size = dual_size(*session);
+  const dual::DualSize size = dual_size(*session).value_or(dual::MeanBond());
   const dual::WriteOptions options = {.digits = digits(*session),
                                       .atom_style = atom_style(*session)};
   const auto& output = session->get<std::string>("OUT");

@@ -56,6 +56,12 @@ shell::PotentialChoice potential_choice(const Session& session) {
                                                      .cutoff = session.get<double>("lj-cutoff"),
                                                      .shift = session.has("lj-shift")},
                                    .pair_style = pair_style(session)};
+  for (const char* name : {"lj-epsilon", "lj-sigma", "lj-cutoff", "lj-shift"}) {
+    const bool is_given = session.has(name) && !session.values[name].defaulted();
+    if (is_given && choice.name != "lj") {
+      throw UsageError(std::string("--") + name + " belongs to --potential lj");
+    }
+  }
   if (choice.pair_style && !session.values["potential"].defaulted()) {
     throw UsageError("--potential and --pair-style name two potentials; give one");
   }

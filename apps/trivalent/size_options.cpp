@@ -55,12 +55,12 @@ void add_dual_size_options(po::options_description& options) {
       ("bond", po::value<double>(), bond_help.c_str());
 }
 
-dual::DualSize dual_size(const Session& session) {
+std::optional<dual::DualSize> dual_size(const Session& session) {
   allow_one(session, {"bond", "length", "scale"});
   if (const auto length = session.find<double>("length")) return dual::LongestSide{*length};
   if (const auto scale = session.find<double>("scale")) return dual::Scale{*scale};
   if (const auto bond = session.find<double>("bond")) return dual::MeanBond{*bond};
-  return dual::MeanBond();
+  return std::nullopt;
 }
 
 }  // namespace trivalent::apps

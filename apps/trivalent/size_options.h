@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "session.h"
 #include "trivalent/shell/build_shell.h"
 
@@ -14,9 +16,9 @@ void add_shell_size_options(po::options_description& options);
 
 /// --length, --scale and --bond, for the dual of a mesh as it is.
 void add_dual_size_options(po::options_description& options);
-/// At most one of --length, --scale and --bond; the default bond without any.
+/// At most one of --length, --scale and --bond; none without any.
 ///
 /// @throws UsageError if more than one is given.
-[[nodiscard]] dual::DualSize dual_size(const Session& session);
+[[nodiscard]] std::optional<dual::DualSize> dual_size(const Session& session);
 
 }  // namespace trivalent::apps

@@ -37,6 +37,17 @@ TEST_F(ConvertCommand, SaysWhatChanges) {
   EXPECT_NE(succeed("convert cell.extxyz cell.pdb").err.find("3 decimals"), std::string::npos);
 }
 
+TEST_F(ConvertCommand, MakesRoomWhereAFreeDirectionHasNoVector) {
+  write("sheet.extxyz",
+        "2\nLattice=\"2.46 0 0 -1.23 2.13 0 0 0 0\" pbc=\"T T F\" Properties=species:S:1:pos:R:3\n"
+        "C 0 0 4\nC 0 1.42 4\n");
+  const double energy = succeed("energy sheet.extxyz --json").json()["energy"];
+  for (const std::string name : {"s.poscar", "s.cif", "s.gen", "s.pwi", "s.inp"}) {
+    succeed("convert sheet.extxyz " + name + " --digits 17");
+    EXPECT_NEAR(succeed("energy " + name + " --json").json()["energy"], energy, 1e-9) << name;
+  }
+}
+
 TEST_F(ConvertCommand, FindsTheSpaceGroup) {
   const auto result = succeed("convert cell.extxyz cell.cif --symmetry 0.02 --json").json();
   EXPECT_NE(result["notes"].back().get<std::string>().find("P 6/m m m"), std::string::npos);

@@ -167,6 +167,9 @@ TEST_F(EnergyCommand, RefusesWhatMakesNoSense) {
   expect_failure(2, "extension", "energy two.xyz -o out.docx");
   expect_failure(2, "--worst", "energy two.xyz --worst -1");
   expect_failure(2, "sigma", "energy two.xyz --potential lj --lj-sigma 0");
+  expect_failure(2, "--potential lj", "energy two.xyz --lj-cutoff 5");
+  expect_failure(2, "holds atoms", "energy two.xyz --scale 2");
+  expect_failure(2, "holds atoms", "energy graphene:nx=1,ny=1 --bond 1.4");
   expect_failure(1, "missing.xyz", "energy missing.xyz");
   write("bad.xyz", "2\n\nC 0 0 0\nSi 1.4 0 0\n");
   expect_failure(1, "line 4", "energy bad.xyz");

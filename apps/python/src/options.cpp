@@ -82,12 +82,12 @@ dual::ShellOptions shell_options(const Options& options) {
   return shell;
 }
 
-dual::DualSize dual_size(const Options& options) {
+std::optional<dual::DualSize> dual_size(const Options& options) {
   options.allow_one({"bond", "length", "scale"});
   if (const auto length = options.find<double>("length")) return dual::LongestSide{*length};
   if (const auto scale = options.find<double>("scale")) return dual::Scale{*scale};
   if (const auto bond = options.find<double>("bond")) return dual::MeanBond{*bond};
-  return dual::MeanBond();
+  return std::nullopt;
 }
 
 remesh::RemeshMethod remesh_method(const Options& options) {
@@ -151,6 +151,11 @@ shell::PotentialChoice potential_choice(const Options& options) {
   options.set("lj_sigma", choice.lennard_jones.sigma);
   options.set("lj_cutoff", choice.lennard_jones.cutoff);
   options.set("lj_shift", choice.lennard_jones.shift);
+  for (const char* name : {"lj_epsilon", "lj_sigma", "lj_cutoff", "lj_shift"}) {
+    if (options.has(name) && choice.name != "lj") {
+      throw WrongOption(std::string(name) + " belongs to the potential lj");
+    }
+  }
   return choice;
 }
 

@@ -74,7 +74,7 @@ class Options {
 /// atoms, length or scale; bond, and the method of remesh_method().
 [[nodiscard]] dual::ShellOptions shell_options(const Options& options);
 /// length, scale or bond.
-[[nodiscard]] dual::DualSize dual_size(const Options& options);
+[[nodiscard]] std::optional<dual::DualSize> dual_size(const Options& options);
 /// method, feature_angle [degree], and the method's own: effort, follow, seed, or iterations,
 /// rings, sigma, restriction.
 [[nodiscard]] remesh::RemeshMethod remesh_method(const Options& options);

@@ -117,7 +117,7 @@ py::object inspect(const py::object& object, const py::dict& values) {
 }
 
 std::shared_ptr<dual::Structure> dual_of(const Surface& surface, const py::dict& values) {
-  const dual::DualSize size = dual_size(Options(values));
+  const dual::DualSize size = dual_size(Options(values)).value_or(dual::MeanBond());
   const py::gil_scoped_release released;
   return std::make_shared<dual::Structure>(shell::structure_of(surface.mesh, size));
 }

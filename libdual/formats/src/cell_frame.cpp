@@ -26,8 +26,19 @@ void note_free_directions(const Box& box, std::vector<std::string>& notes) {
   notes.push_back("the format knows no free directions: " + names + " became periodic");
 }
 
+/// The box of the atoms; where a free direction has no vector, one with room stands in.
+Box complete_box(const potentials::Atoms& atoms) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool is_missing = atoms.box.cell.col(static_cast<Eigen::Index>(k)).isZero(0.0);
+    if (is_missing && atoms.box.is_periodic() && !atoms.box.periodic[k]) {
+      return periodic_box(atoms.box, atoms.positions);
+    }
+  }
+  return box_to_write(atoms);
+}
+
 CellFrame general_frame(const potentials::Atoms& atoms) {
-  const Box box = box_to_write(atoms);
+  const Box box = complete_box(atoms);
   CellFrame frame = {.positions = atoms.positions, .cell = box.cell, .notes = {}};
   const double volume = box.cell.determinant();
   if (volume == 0.0) {

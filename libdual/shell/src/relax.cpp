@@ -194,6 +194,9 @@ RelaxedStructure relax(dual::Structure structure, const RelaxOptions& options) {
   }
   const auto bonds = bonds_of(structure, options);
   const std::vector<std::uint32_t> fixed = fixed_atoms(structure, bonds, options);
+  if (!fixed.empty() && options.box == potentials::BoxPolicy::pressure_free) {
+    note(options, "atoms that stay keep their places in the cell, and move as it changes");
+  }
   RelaxedStructure result;
   result.potential = options.potential.title();
   if (options.lammps) {

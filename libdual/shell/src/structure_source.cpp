@@ -26,16 +26,27 @@ bool is_given(const dual::ReadOptions& reading) {
   return !reading.elements.empty() || reading.frame || reading.atom_style;
 }
 
+void refuse_size(const std::filesystem::path& path, const StructureOptions& options) {
+  if (!options.size) return;
+  throw dual::InvalidOption(path.string() +
+                            " holds atoms, whose size is in the file: bond, length and scale are "
+                            "of duals of meshes");
+}
+
 dual::StructureFile read_file(const std::filesystem::path& path, const StructureOptions& options) {
   if (!options.format && is_ideal_structure(path.string())) {
     if (is_given(options.reading)) {
       throw dual::InvalidOption(path.string() +
                                 " is made, not read: elements, atom style and frame mean nothing");
     }
+    refuse_size(path, options);
     return {.structure = make_ideal_structure(path.string())};
   }
   const dual::StructureFormat* format = choose_format(path, options);
-  if (format != nullptr && format->read != nullptr) return format->read(path, options.reading);
+  if (format != nullptr && format->read != nullptr) {
+    refuse_size(path, options);
+    return format->read(path, options.reading);
+  }
   if (format != nullptr) {
     throw dual::InvalidOption("the format " + format->name + " can only be written");
   }
@@ -44,7 +55,7 @@ dual::StructureFile read_file(const std::filesystem::path& path, const Structure
                               " is not a file of atoms by its name: elements, atom style and frame "
                               "mean nothing for a mesh (--format names the format)");
   }
-  return read_mesh_dual(path, options.size);
+  return read_mesh_dual(path, options.size.value_or(dual::MeanBond()));
 }
 
 /// A bond does not lead across a boundary that is none.

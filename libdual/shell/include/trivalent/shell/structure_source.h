@@ -10,7 +10,8 @@
 namespace trivalent::shell {
 
 struct StructureOptions {
-  dual::DualSize size = dual::MeanBond{};            ///< of the dual, if the file is a mesh
+  /// Of the dual, if the file is a mesh; if none, dual::MeanBond.
+  std::optional<dual::DualSize> size = {};
   std::optional<std::array<bool, 3>> periodic = {};  ///< instead of what the file says
   std::optional<std::string> format = {};            ///< a name of structure_formats()
   dual::ReadOptions reading = {};                    ///< if the file is none of a mesh
