@@ -70,7 +70,7 @@ std::shared_ptr<dual::Picture> render(const States& states, const py::dict& valu
 
 py::array pixels_of(const py::object& self) {
   const auto& picture = self.cast<const dual::Picture&>();
-  const py::ssize_t row = 3 * picture.width;
+  const py::ssize_t row = 3 * py::ssize_t{picture.width};
   return python::view(picture.pixels.data(), {picture.height, picture.width, 3}, {row, 3, 1}, self);
 }
 

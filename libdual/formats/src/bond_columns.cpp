@@ -64,6 +64,7 @@ std::optional<std::string> find_asymmetry(const std::multiset<Entry>& entries) {
 /// Replaces images that lead much farther than the nearest one.
 int mend_images(const potentials::Atoms& atoms, std::vector<Bond>& bonds) {
   std::vector<std::array<int, 2>> pairs;
+  pairs.reserve(bonds.size());
   for (const Bond& bond : bonds) {
     pairs.push_back({static_cast<int>(bond.first), static_cast<int>(bond.second)});
   }

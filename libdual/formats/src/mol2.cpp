@@ -39,11 +39,7 @@ class Mol2Reader {
         begin();
         continue;
       }
-      split_fields(*line, fields_);
-      if (fields_.empty() || fields_[0].starts_with('#')) continue;
-      if (section == "ATOM") read_atom();
-      if (section == "BOND") read_bond();
-      if (section == "CRYSIN") read_cell();
+      read_row(section, *line);
     }
     if (n_molecules == 0) lines_.fail("the file has no @<TRIPOS>MOLECULE");
     if (wanted && *wanted > n_molecules) {
@@ -62,6 +58,14 @@ class Mol2Reader {
     structure_ = {};
     atom_of_id_.clear();
     pairs_.clear();
+  }
+
+  void read_row(std::string_view section, std::string_view line) {
+    split_fields(line, fields_);
+    if (fields_.empty() || fields_[0].starts_with('#')) return;
+    if (section == "ATOM") read_atom();
+    if (section == "BOND") read_bond();
+    if (section == "CRYSIN") read_cell();
   }
 
   void read_atom() {

@@ -79,7 +79,7 @@ class PoscarReader {
   }
 
   /// "C_pv" and "C/abcdef" are names that VASP itself writes.
-  Species element_of(std::string_view word) const {
+  [[nodiscard]] Species element_of(std::string_view word) const {
     const std::string_view symbol = word.substr(0, word.find_first_of("_/"));
     const auto element = element_of_symbol(symbol);
     if (!element) {

@@ -151,9 +151,8 @@ class FreeAngles {
   std::vector<std::array<int, 3>> uses_;
 };
 
-}  // namespace
-
-std::vector<Ring> find_rings(const Bonding& bonding) {
+/// The shortest rings through every two bonds of an atom, each once, the smallest first.
+std::vector<std::vector<Site>> shortest_rings(const Bonding& bonding) {
   std::vector<std::vector<Site>> found;
   RingSearch search(bonding);
   for (std::size_t atom = 0; atom < bonding.size(); ++atom) {
@@ -170,18 +169,26 @@ std::vector<Ring> find_rings(const Bonding& bonding) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
   });
   found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
 
+Ring ring_of(const std::vector<Site>& sites) {
+  Ring ring;
+  for (const Site& site : sites) {
+    ring.atoms.push_back(site.atom);
+    ring.images.push_back(site.image);
+  }
+  if (!crosses_boundary(sites)) ring.images.clear();
+  return ring;
+}
+
+}  // namespace
+
+std::vector<Ring> find_rings(const Bonding& bonding) {
   std::vector<Ring> rings;
   FreeAngles angles(bonding);
-  for (const std::vector<Site>& sites : found) {
-    if (!angles.take(sites)) continue;
-    Ring ring;
-    for (const Site& site : sites) {
-      ring.atoms.push_back(site.atom);
-      ring.images.push_back(site.image);
-    }
-    if (!crosses_boundary(sites)) ring.images.clear();
-    rings.push_back(std::move(ring));
+  for (const std::vector<Site>& sites : shortest_rings(bonding)) {
+    if (angles.take(sites)) rings.push_back(ring_of(sites));
   }
   return rings;
 }

@@ -31,7 +31,7 @@ namespace bp = boost::process;
 namespace fs = std::filesystem;
 
 std::string require_program(const std::string& program, const std::string& package) {
-  const std::string path = bp::search_path(program).string();
+  std::string path = bp::search_path(program).string();
   if (!path.empty()) return path;
   throw dual::Error("LAMMPS is to be run, but its program " + program +
                     " is not in the path (Debian: apt install " + package + ")");

@@ -195,8 +195,8 @@ remesh::Lattice::Cell parse_cell(const std::string& text) {
         "lengths and angles in degree, or nine coordinates of its vectors, not '" +
         text + "'");
   }
-  const Eigen::Matrix3d cell = dual::cell_of({.lengths = {numbers[0], numbers[1], numbers[2]},
-                                              .angles = {numbers[3], numbers[4], numbers[5]}});
+  Eigen::Matrix3d cell = dual::cell_of({.lengths = {numbers[0], numbers[1], numbers[2]},
+                                        .angles = {numbers[3], numbers[4], numbers[5]}});
   constexpr double flat = 1e-6;  // of a cube's volume
   if (!cell.allFinite() || !(cell.determinant() > flat * numbers[0] * numbers[1] * numbers[2])) {
     throw remesh::InvalidOption("no cell has the angles of '" + text + "'");

@@ -286,6 +286,7 @@ Picture draw_states(std::span<const ShellState> states, const PictureOptions& op
   if (states.size() > 1) {
     std::vector<Area> panels;
     const auto n_states = static_cast<int>(states.size());
+    panels.reserve(states.size());
     for (int i = 0; i < n_states; ++i) panels.push_back(panel_of(i, n_states, layout, options));
     write_titles(drawing, states, pen, panels);
   }

@@ -156,6 +156,7 @@ Json packed_rings(const std::vector<std::vector<int>>& rings) {
 
 Json packed_species(const potentials::Atoms& atoms, const std::vector<int>& shown) {
   std::vector<std::int32_t> numbers;
+  numbers.reserve(shown.size());
   for (const int atom : shown) {
     numbers.push_back(atoms.species[atom] == potentials::Species::carbon ? 6 : 1);
   }

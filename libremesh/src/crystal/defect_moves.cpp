@@ -74,6 +74,7 @@ std::vector<VertexHandle> change_connectivity(ConstrainedMesh& constrained,
                                               const PatchTopology& topology) {
   TriMesh& mesh = constrained.mesh;
   std::vector<VertexHandle> vertices;
+  vertices.reserve(static_cast<std::size_t>(topology.size()));
   for (int i = 0; i < topology.size(); ++i) vertices.push_back(topology.vertex(i));
   for (const PatchChange& change : topology.changes()) {
     const HalfedgeHandle h = mesh.find_halfedge(vertices[change.from], vertices[change.to]);

@@ -60,7 +60,7 @@ struct Evaluation {
   [[nodiscard]] Lanes<Scalar>& slope(int i) const { return gradient[static_cast<std::size_t>(i)]; }
 
   /// ½ k (r - rest)² of the distance r between two vertices.
-  [[gnu::always_inline]] Scalar spring(int a, int b, Scalar k, Scalar rest) const {
+  [[nodiscard]] [[gnu::always_inline]] Scalar spring(int a, int b, Scalar k, Scalar rest) const {
     const Lanes<Scalar> edge = position(b) - position(a);
     const Scalar r = std::sqrt(edge.squaredNorm());
     const Scalar stretch = r - rest;
@@ -78,8 +78,8 @@ struct Evaluation {
 
   /// ½ k (|b - a| - L_e)² and ½ k |c + d - a - b|² of four hinges at once: roots and quotients take
   /// longest.
-  [[gnu::always_inline]] Scalar bend(std::span<const Hinge, at_once> hinges,
-                                     const HingeStiffness& k) const {
+  [[nodiscard]] [[gnu::always_inline]] Scalar bend(std::span<const Hinge, at_once> hinges,
+                                                   const HingeStiffness& k) const {
     std::array<Lanes<Scalar>, at_once> edges;
     Eigen::Matrix<Scalar, 4, at_once> squares;
     Lanes<Scalar> rest;
@@ -108,7 +108,7 @@ struct Evaluation {
   }
 
   /// The same of one hinge.
-  Scalar bend(const Hinge& h, const HingeStiffness& k) const {
+  [[nodiscard]] Scalar bend(const Hinge& h, const HingeStiffness& k) const {
     const Lanes<Scalar> q = (position(h.c) + position(h.d)) - (position(h.a) + position(h.b));
     const Lanes<Scalar> force = k.bending * q;
     slope(h.a) -= force;
@@ -119,7 +119,7 @@ struct Evaluation {
            spring(h.a, h.b, k.stretching, static_cast<Scalar>(h.rest));
   }
 
-  Scalar bend(const std::vector<Hinge>& hinges, const HingeStiffness& k) const {
+  [[nodiscard]] Scalar bend(const std::vector<Hinge>& hinges, const HingeStiffness& k) const {
     const std::span all(hinges);
     Scalar energy = 0;
     std::size_t i = 0;
@@ -130,18 +130,18 @@ struct Evaluation {
     return energy;
   }
 
-  Scalar avoid(int a, int b, Scalar k, Scalar nearest) const {
+  [[nodiscard]] Scalar avoid(int a, int b, Scalar k, Scalar nearest) const {
     if ((position(b) - position(a)).squaredNorm() >= nearest * nearest) return Scalar(0);
     return spring(a, b, k, nearest);
   }
 
-  Scalar hold(const Tether<Scalar>& t) const {
+  [[nodiscard]] Scalar hold(const Tether<Scalar>& t) const {
     const Scalar height = (position(t.i) - t.foot).dot(t.normal);
     slope(t.i) += (t.stiffness * height) * t.normal;
     return Scalar(0.5) * t.stiffness * height * height;
   }
 
-  Scalar pull(const Pull<Scalar>& p, Scalar reach) const {
+  [[nodiscard]] Scalar pull(const Pull<Scalar>& p, Scalar reach) const {
     const Lanes<Scalar> away = position(p.i) - p.point;
     const Scalar r = std::sqrt(away.squaredNorm());
     if (r <= reach) return Scalar(0);

@@ -137,36 +137,47 @@ float MembranePatch::rest_length(int a, int b) const {
   return static_cast<float>(membrane_->rest_length(deviation(a), deviation(b)));
 }
 
-bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images) const {
+bool MembranePatch::add_hinge(const EdgeCorners& corners, MembraneTerms<float>& terms,
+                              VertexImages& images) const {
+  const auto [a, b, c, d] = corners;
   const bool is_periodic = lattice_->is_periodic();
+  if (c < 0 || d < 0 || topology_.is_rigid(a, b)) {
+    terms.edges.push_back({a, is_periodic ? images.number(b, image_beside(a, b)) : b});
+    return true;
+  }
+  if (!is_periodic) {
+    terms.hinges.push_back({a, b, c, d, rest_length(a, b)});
+    return true;
+  }
+  const Lattice::Image to_b = image_beside(a, b);
+  const Lattice::Image to_c = image_beside(a, c);
+  const Lattice::Image to_d = image_beside(a, d);
+  // Edges lead to nearest images; else the faces would not close.
+  for (const auto& [image, opposite] : {std::pair(to_c, c), std::pair(to_d, d)}) {
+    const Eigen::Vector3d side =
+        separation(b, opposite) + lattice_->translation(image) - lattice_->translation(to_b);
+    if (!lattice_->is_nearest(side)) return false;
+  }
+  terms.hinges.push_back({a, images.number(b, to_b), images.number(c, to_c), images.number(d, to_d),
+                          rest_length(a, b)});
+  return true;
+}
+
+MembranePatch::EdgeCorners MembranePatch::corners_at(int a, int k) const {
+  const int n = topology_.valence(a);
+  const bool is_first = topology_.is_open(a) && k == 0;
+  const bool is_last = topology_.is_open(a) && k == n - 1;
+  return {a, topology_.neighbor(a, k), is_last ? -1 : topology_.neighbor(a, k + 1 == n ? 0 : k + 1),
+          is_first ? -1 : topology_.neighbor(a, k == 0 ? n - 1 : k - 1)};
+}
+
+bool MembranePatch::add_hinges(MembraneTerms<float>& terms, VertexImages& images) const {
   const auto moves = [&](int i) { return i >= 0 && i < topology_.inner_count(); };
   for (int a = 0; a < topology_.size(); ++a) {
-    const int n = topology_.valence(a);
-    for (int k = 0; k < n; ++k) {
-      const int b = topology_.neighbor(a, k);
-      if (topology_.valence(b) > 0 && b < a) continue;  // met from there
-      const bool is_first = topology_.is_open(a) && k == 0;
-      const bool is_last = topology_.is_open(a) && k == n - 1;
-      const int c = is_last ? -1 : topology_.neighbor(a, k + 1 == n ? 0 : k + 1);
-      const int d = is_first ? -1 : topology_.neighbor(a, k == 0 ? n - 1 : k - 1);
-      if (!moves(a) && !moves(b) && !moves(c) && !moves(d)) continue;
-      if (c < 0 || d < 0 || topology_.is_rigid(a, b)) {
-        terms.edges.push_back({a, is_periodic ? images.number(b, image_beside(a, b)) : b});
-      } else if (!is_periodic) {
-        terms.hinges.push_back({a, b, c, d, rest_length(a, b)});
-      } else {
-        const Lattice::Image to_b = image_beside(a, b);
-        const Lattice::Image to_c = image_beside(a, c);
-        const Lattice::Image to_d = image_beside(a, d);
-        // Edges lead to nearest images; else the faces would not close.
-        for (const auto& [image, opposite] : {std::pair(to_c, c), std::pair(to_d, d)}) {
-          const Eigen::Vector3d side =
-              separation(b, opposite) + lattice_->translation(image) - lattice_->translation(to_b);
-          if (!lattice_->is_nearest(side)) return false;
-        }
-        terms.hinges.push_back({a, images.number(b, to_b), images.number(c, to_c),
-                                images.number(d, to_d), rest_length(a, b)});
-      }
+    for (int k = 0; k < topology_.valence(a); ++k) {
+      const EdgeCorners corners = corners_at(a, k);
+      if (topology_.valence(corners[1]) > 0 && corners[1] < a) continue;  // met from there
+      if (std::ranges::any_of(corners, moves) && !add_hinge(corners, terms, images)) return false;
     }
   }
   return true;

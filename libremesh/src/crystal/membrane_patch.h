@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,13 @@ class MembranePatch {
   void find_contacts(const MembraneNet& net, const PointGrid& grid, const PatchMarks& marks);
   /// None where an edge has become too long for the lattice.
   [[nodiscard]] std::optional<MembraneTerms<float>> terms(VertexImages& images) const;
+  /// The ends of an edge, and the third corners of its two faces; -1 where there is none.
+  using EdgeCorners = std::array<int, 4>;
+  /// Of the edge from a to its neighbor k.
+  [[nodiscard]] EdgeCorners corners_at(int a, int k) const;
+  /// @return  False where an edge has become too long for the lattice.
+  bool add_hinge(const EdgeCorners& corners, MembraneTerms<float>& terms,
+                 VertexImages& images) const;
   bool add_hinges(MembraneTerms<float>& terms, VertexImages& images) const;
   [[nodiscard]] float rest_length(int a, int b) const;
   [[nodiscard]] Eigen::Vector3d separation(int i, int j) const {

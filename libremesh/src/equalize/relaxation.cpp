@@ -96,7 +96,7 @@ struct LeastSquaresSystem {
 LeastSquaresSystem least_squares_system(const ConstrainedMesh& constrained,
                                         const KRingSystem& system) {
   const SparseMatrix& laplacian = system.laplacian;
-  const auto n = static_cast<int>(laplacian.rows());
+  const Eigen::Index n = laplacian.rows();
   std::vector<Eigen::Triplet<double, int>> entries;
   entries.reserve(static_cast<std::size_t>(3 * laplacian.nonZeros() + 3 * n));
   Eigen::VectorXd right = Eigen::VectorXd::Zero(6 * n);
@@ -112,7 +112,7 @@ LeastSquaresSystem least_squares_system(const ConstrainedMesh& constrained,
     }
     right[row++] = -system.gradient.row(i).dot(direction) / weight;
   };
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < static_cast<int>(n); ++i) {
     const Frame frame = frame_at(constrained, VertexHandle(i));
     const bool is_free = constrained.anchor(VertexHandle(i)).kind == FeatureKind::none;
     const Eigen::Matrix3d directions = is_free ? Eigen::Matrix3d::Identity() : frame.axes;
@@ -125,7 +125,7 @@ LeastSquaresSystem least_squares_system(const ConstrainedMesh& constrained,
   }
   SparseMatrix rows(row, 3 * n);
   rows.setFromTriplets(entries.begin(), entries.end());
-  return {std::move(rows), right.head(row)};
+  return {rows, right.head(row)};
 }
 
 Positions least_squares_displacements(const ConstrainedMesh& constrained,

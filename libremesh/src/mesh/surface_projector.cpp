@@ -154,24 +154,37 @@ struct SurfaceProjector::Impl {
     return foot;
   }
 
+  static bool is_corner(unsigned set, std::size_t k) { return (set >> k & 1U) != 0U; }
+
+  /// The triangles around one of a set of corners: a pole may have thousands.
+  [[nodiscard]] std::span<const int> smallest_fan(const std::array<int, 3>& own,
+                                                  unsigned set) const {
+    std::span<const int> smallest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_corner(set, k)) continue;
+      const std::span<const int> fan = fans[at(own[k])];
+      if (smallest.empty() || fan.size() < smallest.size()) smallest = fan;
+    }
+    return smallest;
+  }
+
+  /// Whether a triangle has all of a set of another's corners.
+  static bool shares(const std::array<int, 3>& others, const std::array<int, 3>& own,
+                     unsigned set) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_corner(set, k) && std::ranges::count(others, own[k]) == 0) return false;
+    }
+    return true;
+  }
+
   /// The triangle nearest to p of those that share the corners of a foot.
   [[nodiscard]] std::pair<int, Foot> nearest_sharing(int triangle, const Foot& foot,
                                                      const Eigen::Vector3d& p) const {
     std::pair<int, Foot> best = {triangle, foot};
     const std::array<int, 3>& own = corners[at(face_of[at(triangle)])];
-    std::span<const int> fan;  // the smaller one of an edge's ends: a pole may have thousands
-    for (std::size_t k = 0; k < 3; ++k) {
-      if ((foot.corners >> k & 1U) == 0U) continue;
-      const std::span<const int> at_corner = fans[at(own[k])];
-      if (fan.empty() || at_corner.size() < fan.size()) fan = at_corner;
-    }
-    for (const int other : fan) {
+    for (const int other : smallest_fan(own, foot.corners)) {
       const std::array<int, 3>& others = corners[at(face_of[at(other)])];
-      bool shares = other != triangle;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if ((foot.corners >> k & 1U) && std::ranges::count(others, own[k]) == 0) shares = false;
-      }
-      if (!shares) continue;
+      if (other == triangle || !shares(others, own, foot.corners)) continue;
       const Foot next = this->foot(other, p);
       if (next.squared_distance < best.second.squared_distance) best = {other, next};
     }

@@ -27,7 +27,7 @@ Formula::Formula(const std::string& text) : parser_(std::make_unique<Parser>()) 
                                  " values, but must give one"));
     }
   } catch (const mu::ParserError& error) {
-    const std::string reason = error.GetMsg();
+    const std::string& reason = error.GetMsg();
     const bool says_where = error.GetPos() < 0 || reason.find("position") != std::string::npos;
     throw InvalidOption(concat("formula '", text, "': ", reason,
                                says_where ? "" : concat(" (position ", error.GetPos(), ")")));

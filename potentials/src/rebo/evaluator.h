@@ -34,6 +34,7 @@ class Evaluator {
             RegularKernel kernel = best_regular_kernel());
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
+  ~Evaluator() = default;
 
   /// Sets all of `result`, whatever it held.
   ///

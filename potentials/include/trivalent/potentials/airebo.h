@@ -32,6 +32,8 @@ struct AireboOptions {
 class Airebo : public Potential {
  public:
   explicit Airebo(const AireboOptions& options = {});
+  Airebo(const Airebo&) = delete;
+  Airebo& operator=(const Airebo&) = delete;
   ~Airebo() override;
 
   void forget() override;
