@@ -33,6 +33,7 @@ def _install_package(build: pathlib.Path, folder: str) -> pathlib.Path:
         configure = ["cmake", "-S", str(root), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
         configure += [f"-DTRIVALENT_PYTHON={_interpreter()}", "-DTRIVALENT_BUILD_TESTS=OFF"]
         configure += ["-DTRIVALENT_WARNINGS_AS_ERRORS=OFF"]
+        configure += ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=16"]  # as the presets: half the time
         subprocess.run(configure, check=True)
     subprocess.run(["cmake", "--build", str(build), "--target", "trivalent_python"], check=True)
     install = ["cmake", "--install", str(build), "--component", "python", "--strip", "--prefix", folder]
