@@ -139,6 +139,11 @@ TEST_F(RelaxCommand, KeepsFixedAtoms) {
   EXPECT_NE(line("out.extxyz", 3), line("s.extxyz", 3));
 }
 
+TEST_F(RelaxCommand, SaysThatFixedAtomsMoveWithTheCell) {
+  const Outcome run = succeed("relax graphene:nx=1,ny=1 -o a.extxyz --relax-box --fix ids:1");
+  EXPECT_NE(run.err.find("move as it changes"), std::string::npos) << run.err;
+}
+
 TEST_F(RelaxCommand, ObeysSelectiveDynamics) {
   write("a.vasp",
         "acetylene\n1\n9 0 0\n0 9 0\n0 0 9\nC H\n2 2\nSelective\nCartesian\n"
