@@ -7,6 +7,7 @@
 #include "potential_options.h"
 #include "session.h"
 #include "structure_options.h"
+#include "trivalent/dual/columns.h"
 #include "trivalent/formats/lammps_package.h"
 #include "trivalent/potentials/bonds.h"
 #include "trivalent/shell/number_text.h"
@@ -102,6 +103,11 @@ int run_lammps(const Command& self, std::span<const std::string> arguments) {
 
   dual::Structure structure =
       read_structure(session->get<std::string>("NETWORK"), reading, session->terminal);
+  if (dual::find_column<std::array<int, 3>>(structure, dual::selective_dynamics) != nullptr) {
+    session->terminal.notes(
+        {"the scripts let all atoms move, also those that the file's selective "
+         "dynamics hold; `relax` obeys them"});
+  }
   if (options.data.style == dual::AtomStyle::molecular) find_bonds(structure, session->terminal);
   const double energy =
       shell::make_potential(named_potential(*session))->evaluate(structure.atoms).energy;

@@ -130,4 +130,11 @@ TEST_F(LammpsRuns, RelaxesAndRunsAtConstantEnergy) {
 }
 #endif
 
+TEST_F(LammpsCommand, SaysThatScriptsHoldNoAtoms) {
+  write("a.vasp",
+        "acetylene\n1\n9 0 0\n0 9 0\n0 0 9\nC H\n2 2\nSelective\nCartesian\n"
+        "4 4 4 T T T\n5.3 4 4 T T T\n3 4.1 4 F F F\n6.3 4 4 T T T\n");
+  EXPECT_NE(succeed("lammps a.vasp -o deck").err.find("selective dynamics"), std::string::npos);
+}
+
 }  // namespace

@@ -118,9 +118,9 @@ py::object check(const StructurePointer& structure, const std::optional<shell::S
   given.set("lammps", asks_lammps);
   const auto named = shell::named_potential(*structure);
   const bool is_given = given.find<std::string>("potential").has_value();
-  shell::CertifyOptions options = {
-      .potential = is_given || !named ? potential_choice(given) : *named,
-      .lammps = lammps_options(given, asks_lammps)};
+  const shell::PotentialChoice chosen = potential_choice(given);
+  shell::CertifyOptions options = {.potential = is_given || !named ? chosen : *named,
+                                   .lammps = lammps_options(given, asks_lammps)};
   if (options.lammps) shell::require_lammps(*options.lammps);
   given.set("max_force", options.max_force);
   bool is_open = false;

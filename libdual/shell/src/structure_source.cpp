@@ -29,8 +29,8 @@ bool is_given(const dual::ReadOptions& reading) {
 void refuse_size(const std::filesystem::path& path, const StructureOptions& options) {
   if (!options.size) return;
   throw dual::InvalidOption(path.string() +
-                            " holds atoms, whose size is in the file: bond, length and scale are "
-                            "of duals of meshes");
+                            " holds atoms, which have their size: bond, length and scale belong to "
+                            "the duals of meshes");
 }
 
 dual::StructureFile read_file(const std::filesystem::path& path, const StructureOptions& options) {

@@ -96,7 +96,7 @@ inline OrderPlan plan_order(const Level& level, double vertices, Effort effort) 
 
 /// Small nets are judged by the energy of their carbon, which takes less time than the search: the
 /// membrane's says too little about which of several is best. Chosen by that, D of 768 atoms had
-/// 141 to 154 meV/atom and the gyroid of 384 atoms 135 to 149; now 142 to 146 and 132 to 142.
+/// 141 to 154 meV/atom and the gyroid of 384 atoms 135 to 149; now 145 to 146 and 134.8 to 135.8.
 inline constexpr double max_judged_vertices = 1000.0;
 inline constexpr int max_judged_orders = 12;
 

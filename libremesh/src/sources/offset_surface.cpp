@@ -82,7 +82,6 @@ Eigen::Vector3d step_to_offset(const TriMesh& surface, VertexHandle v, double di
     if (h.is_boundary()) continue;
     const Eigen::Vector3d normal = face_normal(surface, h.face());
     const double weight = corner_angle(surface, h);
-    if (!normal.allFinite() || !std::isfinite(weight)) continue;
     planes += weight * normal * normal.transpose();
     distances += weight * distance * normal;
     weights += weight;
@@ -110,7 +109,9 @@ TriMesh moved_sheet(const TriMesh& surface, double distance) {
     }
   }
   for (const auto f : surface.faces()) {
-    if (face_normal(moved, f).dot(face_normal(surface, f)) <= 0.0) {
+    const Eigen::Vector3d before = face_normal(surface, f);
+    const bool has_area = !before.isZero(0.0);
+    if (has_area && face_normal(moved, f).dot(before) <= 0.0) {
       throw InvalidMesh("offset_surface: the offset would be turned inside out");
     }
   }

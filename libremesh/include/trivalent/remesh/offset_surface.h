@@ -8,8 +8,8 @@ namespace trivalent::remesh {
 /// the side to which its normals point if the distance is > 0, on the other if it is < 0.
 ///
 /// Narrow parts vanish and gaps close once the offset is wider than they are, so that the result
-/// may have other components and handles. A surface with a boundary keeps its triangles: each is
-/// moved to that distance, and its edge goes with it.
+/// may have other components and handles. A surface with a boundary keeps its triangles,
+/// which are moved to that distance together with the boundary.
 ///
 /// @param surface      Smooth, free or periodic.
 /// @param edge_length  Mean edge length of the triangles, > 0, well below the distance; of no
