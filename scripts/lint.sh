@@ -32,6 +32,7 @@ fi
 [[ -n $sources ]] || exit 0
 touch build/lint/apps/commit.cpp  # is made by a build
 
+# OpenMesh means its smart handles to be passed as plain ones.
 # Compiler warnings are gcc's business: clang 14 warns of other things, and cannot read some of libstdc++ 12.
 run_one() {
   clang-tidy-14 --quiet -p build/lint --checks="$2" --extra-arg=-Wno-everything --extra-arg=-ferror-limit=0 "$1" \
@@ -39,7 +40,8 @@ run_one() {
 }
 export -f run_one
 findings=$(xargs -P "$(nproc)" -I{} bash -c 'run_one {} "$0" || true' "$checks" <<<"$sources" |
-  grep -E '(warning|error):' | grep -v 'clang-diagnostic-error' | sed "s#$PWD/##" | sort -u || true)
+  grep -E '(warning|error):' | grep -v 'clang-diagnostic-error' |
+  grep -v "slicing object from type 'Smart[A-Za-z]*Handle'" | sed "s#$PWD/##" | sort -u || true)
 
 # Files of more than 400 lines.
 max_lines=400
