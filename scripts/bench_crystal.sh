@@ -76,7 +76,7 @@ def shell_row(name, shape, atoms, *options):
     sizes = report['quality']['valences']
     relaxation = report['relaxation']
     budget = report['energy']['budget']
-    distances = '  '.join(f'{side["root_mean_square"]:5.2f}/{side["max"]:<6.2f}'
+    distances = '  '.join(f'{side["rms"]:5.2f}/{side["max"]:<6.2f}'
                           for distance in (report['distance'], relaxation['distance'])
                           for side in (distance['to_original'], distance['from_original']))
     print(f'{name:24} {count:6d}  {excess:7.2f}  {law}  {sizes.get("5", 0):4d}/{sizes.get("7", 0):<4d}'

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -167,6 +168,20 @@ TEST(CrystallizeNet, KeepsTheBoundaryOfAnOpenSurface) {
   EXPECT_EQ(measure_quality(net).boundary_loops, 1);
   const auto distance = measure_distance(net, sheet);
   EXPECT_LT(distance.max(), 0.12 / 4.0);
+}
+
+TEST(CrystallizeNet, LeavesTheEndsOfTubesOpen) {
+  const TriMesh tube = make_shape("open-tube", {{"radius", 1.0}, {"length", 4.0}}, 0.15);
+  CrystalOptions options = quick(0.25);
+  options.rest = NetRest::in_space;
+  const RemeshResult result = crystallize(tube, options);
+  const MeshQuality quality = measure_quality(result.mesh);
+  EXPECT_EQ(quality.boundary_loops, 2);
+  const auto edges =
+      std::ranges::count_if(result.mesh.edges(), [](const auto e) { return e.is_boundary(); });
+  // Two zigzag edges have 2 · 2π / 0.25 edges, two armchair edges 2/√3 as many.
+  EXPECT_GT(edges, 46);
+  EXPECT_LT(edges, 62);
 }
 
 TEST(CrystallizeNet, KeepsCreases) {

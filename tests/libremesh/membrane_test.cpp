@@ -123,6 +123,29 @@ TEST(Membrane, RestLengthsFollowTheInnerRadiiOfRings) {
   }
 }
 
+TEST(Membrane, StepsOfABoundaryCostNothing) {
+  Membrane membrane;
+  membrane.pentagon = 1.7;
+  membrane.heptagon = -1.2;
+  EXPECT_DOUBLE_EQ(membrane.boundary_energy(0), 0.0);
+  EXPECT_DOUBLE_EQ(membrane.boundary_energy(1) + membrane.boundary_energy(-1), 0.0);
+  // A pentagon and a step are to a hexagon what a heptagon and the other step are.
+  EXPECT_NEAR(membrane.core_energy(-1) + membrane.boundary_energy(1),
+              membrane.core_energy(1) + membrane.boundary_energy(-1), 1e-12);
+  EXPECT_GT(membrane.boundary_energy(2) + membrane.boundary_energy(-2), 2.0 * membrane.octagon);
+}
+
+TEST(Membrane, BoundariesHaveTheEdgesOfSomeTube) {
+  Membrane membrane;
+  for (const auto& [n, m] : {std::pair(10, 0), std::pair(10, 10), std::pair(12, 5)}) {
+    // The edge of a tube is a path of n + m edges around it.
+    const double around = membrane.length * std::sqrt(n * n + n * m + m * m);
+    EXPECT_NEAR(membrane.boundary_count_energy(around, n + m), 0.0, 1e-12);
+  }
+  EXPECT_GT(membrane.boundary_count_energy(10.0 * membrane.length, 9), 1.0);
+  EXPECT_GT(membrane.boundary_count_energy(10.0 * membrane.length, 13), 1.0);
+}
+
 TEST(MembraneNet, CountsCoresAndPairs) {
   // Twelve pentagons; a flip among hexagons makes two more and two heptagons, with four edges
   // between them.

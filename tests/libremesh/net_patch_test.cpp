@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "crystal/defect_moves.h"
 #include "crystal/spring_relaxation.h"
 #include "crystal/spring_step.h"
 #include "trivalent/remesh/shapes.h"
@@ -134,6 +135,119 @@ TEST_F(Patch, RefusesChangesBeyondItsRim) {
   EXPECT_FALSE(patch.split(rim, 0));
   EXPECT_FALSE(patch.collapse(rim, 0));
   EXPECT_TRUE(patch.topology().changes().empty());
+}
+
+/// Patches around the vertices of an open edge.
+class BoundaryPatch : public testing::Test {
+ protected:
+  BoundaryPatch() : mesh_(make_shape("wavy-sheet", {}, 0.2)), sheet_(mesh_) {}
+
+  PatchTopology cut_out(VertexHandle center) {
+    return {sheet_, center, {.inner = 3, .known = 3}, marks_};
+  }
+
+  /// A vertex in the middle of a side, and the number in its patch of a neighbor on that side.
+  [[nodiscard]] VertexHandle on_side() const {
+    for (const auto v : mesh_.vertices()) {
+      if (v.is_boundary() && sheet_.anchor(v).kind == FeatureKind::curve && v.valence() == 4) {
+        return v;
+      }
+    }
+    return VertexHandle();
+  }
+  static int first_along(const PatchTopology& patch) { return patch.neighbor(0, 0); }
+  static int last_along(const PatchTopology& patch) {
+    return patch.neighbor(0, patch.valence(0) - 1);
+  }
+
+  /// Whether the mesh has the neighbors of every inner vertex, in the same cyclic order.
+  void expect_same(const PatchTopology& patch, const std::vector<VertexHandle>& vertices) const {
+    for (int v = 0; v < patch.inner_count(); ++v) {
+      if (!patch.is_inside(v)) continue;
+      const VertexHandle center = vertices[index(v)];
+      EXPECT_EQ(mesh_.valence(center), static_cast<unsigned>(patch.valence(v)));
+      EXPECT_EQ(mesh_.is_boundary(center), patch.is_open(v));
+      for (int k = 0; k < patch.valence(v); ++k) {
+        const HalfedgeHandle h = mesh_.find_halfedge(center, vertices[index(patch.neighbor(v, k))]);
+        ASSERT_TRUE(h.is_valid());
+        const int next = patch.next_in_ring(v, patch.neighbor(v, k));
+        EXPECT_EQ(mesh_.is_boundary(h), next < 0);
+        if (next < 0) continue;
+        EXPECT_EQ(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)), vertices[index(next)]);
+      }
+    }
+  }
+
+  TriMesh mesh_;
+  ConstrainedMesh sheet_;
+  PatchMarks marks_;
+};
+
+TEST_F(BoundaryPatch, SplitsAnEdgeOfTheBoundaryInTwo) {
+  const std::size_t faces = mesh_.n_faces();
+  for (const bool first : {true, false}) {
+    PatchTopology patch = cut_out(on_side());
+    ASSERT_TRUE(patch.is_whole());
+    ASSERT_TRUE(patch.split(0, first ? first_along(patch) : last_along(patch)));
+    EXPECT_EQ(patch.added_faces(), 1);
+    const int added = patch.added();
+    EXPECT_EQ(patch.valence(added), 3);
+    EXPECT_TRUE(patch.is_open(added));
+    EXPECT_EQ(patch.deviation(added), -1);
+    const std::vector<VertexHandle> vertices = change_connectivity(sheet_, patch);
+    expect_same(patch, vertices);
+    for (const auto e : mesh_.ve_range(vertices[index(added)])) {
+      EXPECT_EQ(e.is_boundary(), sheet_.curve_of(e).has_value());
+    }
+    Anchor anchor;
+    anchor.kind = FeatureKind::curve;
+    sheet_.set_anchor(vertices[index(added)], anchor);
+  }
+  EXPECT_EQ(mesh_.n_faces(), faces + 2);
+}
+
+TEST_F(BoundaryPatch, CollapsesAnEdgeOfTheBoundary) {
+  for (const bool first : {true, false}) {
+    mesh_.garbage_collection();
+    PatchTopology patch = cut_out(on_side());
+    ASSERT_TRUE(patch.collapse(0, first ? first_along(patch) : last_along(patch)));
+    EXPECT_EQ(patch.added_faces(), -1);
+    EXPECT_FALSE(patch.is_inside(0));
+    const std::vector<VertexHandle> vertices = change_connectivity(sheet_, patch);
+    expect_same(patch, vertices);
+  }
+  mesh_.garbage_collection();
+  for (const auto e : mesh_.edges()) EXPECT_EQ(e.is_boundary(), sheet_.curve_of(e).has_value());
+}
+
+TEST_F(BoundaryPatch, CollapseUndoesSplit) {
+  const PatchTopology before = cut_out(on_side());
+  for (const bool first : {true, false}) {
+    PatchTopology after = before;
+    const int along = first ? first_along(before) : last_along(before);
+    ASSERT_TRUE(after.split(0, along));
+    ASSERT_TRUE(after.collapse(after.added(), along));
+    EXPECT_EQ(after.added_faces(), 0);
+    for (int v = 0; v < before.added(); ++v) {
+      ASSERT_EQ(after.valence(v), before.valence(v));
+      for (int k = 0; k < before.valence(v); ++k) {
+        EXPECT_EQ(after.neighbor(v, k), before.neighbor(v, k));
+      }
+    }
+  }
+}
+
+TEST_F(BoundaryPatch, KeepsCornersAndLeanVertices) {
+  for (const auto v : mesh_.vertices()) {
+    if (!v.is_boundary()) continue;
+    PatchTopology patch = cut_out(v);
+    const bool can_go = sheet_.anchor(v).kind != FeatureKind::corner && v.valence() > 2;
+    EXPECT_EQ(patch.collapse(0, first_along(patch)), can_go) << v.idx();
+    // An edge inwards takes no vertex of the boundary away.
+    PatchTopology other = cut_out(v);
+    if (v.valence() == 2) continue;
+    EXPECT_FALSE(other.collapse(0, other.neighbor(0, 1))) << v.idx();
+  }
 }
 
 TEST(RelaxSprings, LowersTheStrainOnTheSurface) {

@@ -121,13 +121,13 @@ class Annealing {
     NetPatch patch = start;
     for (const DefectMove& move : shuffled_moves(start.topology().valence(0), random)) {
       random = hashed(random, 1);
-      const int added = move.added_vertices();
-      const double limit =
-          energy + largest_rise(temperature_, random, min_spring_gain) - rise_of_count(added);
       patch = start;
       if (!make_move(patch, patch.topology(), move) ||
           patch.topology().disorder() > disorder + max_disorder_of_move)
         continue;
+      const int added = patch.topology().added_faces() / 2;  // boundaries keep their vertices
+      const double limit =
+          energy + largest_rise(temperature_, random, min_spring_gain) - rise_of_count(added);
       const bool is_hopeless = std::ranges::any_of(trials, [&](const Trial& trial) {
         patch.relax(length_, trial.sweeps, start.topology().count_within(trial.rings));
         return energy_of(patch) > limit + trial.hopeless;

@@ -18,10 +18,6 @@ namespace {
 /// is up to five edges away from a smooth surface.
 constexpr double max_reach = 6.0;
 
-bool is_open(const TriMesh& mesh) {
-  return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
-}
-
 /// The net of a crystal's primitive cell, copied into its own; none if that cell is the smallest,
 /// has no number of faces near the wanted one, or no net.
 std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOptions options,
@@ -51,11 +47,8 @@ std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOption
 /// stopped before.
 std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOptions& options,
                                SearchWatch& watch) {
-  const bool has_curves =
-      is_open(surface.mesh) || std::ranges::find(surface.creases, true) != surface.creases.end();
   // On the surface a net without scars has unequal edges: 6.7 % instead of 4 % on a sphere.
-  if (has_curves || options.rest == NetRest::on_surface)
-    return search_springs(surface, options, watch);
+  if (options.rest == NetRest::on_surface) return search_springs(surface, options, watch);
   if (auto net = search_primitive_cell(surface.mesh, options, watch)) return net;
   std::optional<FoundNet> membrane = search_membrane(surface, options, watch);
   if (watch.stopped()) return membrane;

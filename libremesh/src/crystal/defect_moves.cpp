@@ -57,7 +57,8 @@ std::vector<VertexHandle> disjoint_sites(const TriMesh& mesh, const std::vector<
                                          const SiteChoice& choice) {
   std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
   for (const auto v : mesh.vertices()) {
-    if (std::abs(deviations[index(v)]) < choice.min_deviation || v.is_boundary()) continue;
+    if (std::abs(deviations[index(v)]) < choice.min_deviation) continue;
+    if (v.is_boundary() && !choice.on_boundaries) continue;
     irregular.emplace_back(hashed(choice.seed, static_cast<std::uint64_t>(v.idx())), v);
   }
   std::sort(irregular.begin(), irregular.end());
@@ -86,9 +87,12 @@ std::vector<VertexHandle> change_connectivity(ConstrainedMesh& constrained,
         mesh.collapse(h);
         break;
       case PatchChange::Kind::split: {
+        const std::optional<int> curve = constrained.curve_of(mesh.edge_handle(h));
         const VertexHandle added = mesh.split(mesh.edge_handle(h), Eigen::Vector3d(0.0, 0.0, 0.0));
         vertices[static_cast<std::size_t>(topology.added())] = added;
-        for (const auto spoke : mesh.ve_range(added)) constrained.set_curve(spoke, std::nullopt);
+        for (const auto spoke : mesh.ve_range(added)) {
+          constrained.set_curve(spoke, spoke.is_boundary() ? curve : std::nullopt);
+        }
         break;
       }
     }

@@ -30,11 +30,6 @@ namespace trivalent::remesh {
 struct DefectMove {
   enum class Kind : std::uint8_t { flip_spoke, flip_rim, collapse, split } kind;
   int k;
-
-  /// Vertices more than before.
-  [[nodiscard]] int added_vertices() const {
-    return kind == Kind::split ? 1 : kind == Kind::collapse ? -1 : 0;
-  }
 };
 
 /// All moves at a center of this valence, in random order.
@@ -46,12 +41,12 @@ struct DefectMove {
 template <typename Patch>
 bool make_move(Patch& patch, const PatchTopology& topology, const DefectMove& move) {
   const int spoke = topology.neighbor(0, move.k);
-  const int next = topology.neighbor(0, (move.k + 1) % topology.valence(0));
+  const int next = topology.next_in_ring(0, spoke);
   switch (move.kind) {
     case DefectMove::Kind::flip_spoke:
       return patch.flip(0, spoke);
     case DefectMove::Kind::flip_rim:
-      return patch.flip(spoke, next);
+      return next >= 0 && patch.flip(spoke, next);
     case DefectMove::Kind::collapse:
       if (!patch.collapse(0, spoke)) return false;
       break;
@@ -68,6 +63,7 @@ struct SiteChoice {
   int rings;              ///< vertices up to so many edges from two sites are different ones
   int min_deviation = 1;  ///< of the valence from 6
   std::uint64_t seed = 0;
+  bool on_boundaries = false;  ///< too
 };
 
 /// Irregular vertices in random order, those left out whose patch would touch an earlier one.

@@ -36,8 +36,13 @@ double Membrane::rest_length(int deviation_a, int deviation_b) const {
   return length * (1.0 + 0.5 * ring_width * (widening(deviation_a) + widening(deviation_b)));
 }
 
+namespace {
+
+constexpr double crowded = 6.0;  // [eV] for each step beyond 5 and 7
+
+}  // namespace
+
 double Membrane::core_energy(int deviation) const {
-  constexpr double crowded = 6.0;  // [eV] for each step beyond 5 and 7
   if (deviation == 0) return 0.0;
   if (deviation == 2) return octagon;
   const int steps = std::abs(deviation);
@@ -45,7 +50,23 @@ double Membrane::core_energy(int deviation) const {
   return steps * core + crowded * (steps - 1);
 }
 
-double Membrane::count_energy(int excess) const { return count * excess * excess; }
+double Membrane::boundary_energy(int deviation) const {
+  const int steps = std::abs(deviation);
+  return 0.5 * (heptagon - pentagon) * deviation + crowded * std::max(steps - 1, 0);
+}
+
+double Membrane::boundary_count_energy(double curve_length, int edges) const {
+  constexpr double stiffness = 50.0;  // k_e [eV]
+  const double fewest = curve_length / length;
+  const double most = fewest * 2.0 / std::numbers::sqrt3;
+  const double excess = std::max({0.0, fewest - edges, edges - most});
+  return stiffness * excess * excess;
+}
+
+double Membrane::count_energy(int excess) const {
+  const double vertices = 0.5 * excess;
+  return count * vertices * vertices;
+}
 
 namespace {
 

@@ -13,27 +13,31 @@ namespace trivalent::remesh {
 ///   + ½ k_r Σ (r0 - r)²                     self-avoidance, over pairs nearer than r0 that are no
 ///                                           edge [Kantor1986]
 ///   + ½ k_t (L/m)² Σ ((x - p)·n)²           tether to the surface: foot p, normal n
+///   + ½ k_b (L/m) Σ ((x - p)·b)²            tether of open edges: foot p on the boundary's curve,
+///                                           b across it in the surface
 ///   + ½ k_s (L/m)² Σ w (|x - s| - d0)²      tether of the surface: samples s farther than d0 from
 ///                                           their vertex, each for w vertices' area
 ///   + Σ core(valence) + n p                 n edges between a pentagon and a heptagon
-///   + λ (N - N0)²                           N vertices
+///   + ¼ λ (F - F0)²                         F faces: two for each vertex
+///   + k_e Σ Δ²                              Δ edges too many or too few on a boundary curve
 ///
 /// k, κ and k_t are the same for every L: those of the continuum. L_e is L between hexagons, and
-/// the more the wider the rings at its ends are. The last three are not functions of positions.
+/// the more the wider the rings at its ends are. The last four are not functions of positions.
 struct Membrane {
   static constexpr double fine_length = 2.46;  ///< m [Å]
   static constexpr double bending = 1.4;       ///< κ [eV]
 
-  double length = fine_length;  ///< L [Å]
-  double stretching = 13.0;     ///< k [eV/Å²]: (√3/2)·15 eV/Å², Young's modulus of graphene
-  double tether = 0.0;          ///< k_t [eV/Å²]
-  double cover = 0.0;           ///< k_s [eV/Å²]
-  double slack = 4.0;           ///< [Å] that the net may be away from the surface freely
-  double repulsion = 13.0;      ///< k_r [eV/Å²]
-  double pentagon = 1.0;        ///< core energy [eV]
-  double heptagon = -2.1;       ///< core energy [eV]
-  double octagon = 1.8;         ///< core energy [eV]
-  double pair = 0.0;            ///< p [eV]
+  double length = fine_length;   ///< L [Å]
+  double stretching = 13.0;      ///< k [eV/Å²]: (√3/2)·15 eV/Å², Young's modulus of graphene
+  double tether = 0.0;           ///< k_t [eV/Å²]
+  double boundary_tether = 0.6;  ///< k_b [eV/Å²]
+  double cover = 0.0;            ///< k_s [eV/Å²]
+  double slack = 4.0;            ///< [Å] that the net may be away from the surface freely
+  double repulsion = 13.0;       ///< k_r [eV/Å²]
+  double pentagon = 1.0;         ///< core energy [eV]
+  double heptagon = -2.1;        ///< core energy [eV]
+  double octagon = 1.8;          ///< core energy [eV]
+  double pair = 0.0;             ///< p [eV]
   /// How much of the difference of a ring's inner radius from that of a hexagon its edges follow:
   /// 0 to 1.
   double ring_width = 0.0;
@@ -50,11 +54,19 @@ struct Membrane {
   [[nodiscard]] double cover_distance() const { return 0.58 * length + slack; }
   /// [eV] of a vertex with valence - 6 = deviation. Beyond one, each step costs as much as no pair.
   [[nodiscard]] double core_energy(int deviation) const;
+  /// The same of a vertex on a boundary with valence - 4 = deviation: a step in the edge of the
+  /// net, which costs nothing. As deviations have a constant sum, those of the edge are counted
+  /// at half the difference of a pentagon from a heptagon.
+  [[nodiscard]] double boundary_energy(int deviation) const;
   /// Whether two vertices of these valences - 6 are a pentagon and a heptagon.
   [[nodiscard]] static bool is_pair(int deviation_a, int deviation_b) {
     return deviation_a * deviation_b == -1;
   }
-  /// λ (N - N0)² [eV] for N - N0 vertices too many.
+  /// k_e Δ² [eV] of a boundary curve of this length [Å] with so many edges. A zigzag edge of the
+  /// net is as long as its edges, of an armchair edge two reach √3 L: what is between costs
+  /// nothing.
+  [[nodiscard]] double boundary_count_energy(double curve_length, int edges) const;
+  /// ¼ λ (F - F0)² [eV] for F - F0 faces too many.
   [[nodiscard]] double count_energy(int excess) const;
 };
 

@@ -32,8 +32,9 @@ constexpr double min_gain = 0.01;        // [eV] at temperature 0, so that no mo
 /// A move that was chosen: the patch after it.
 struct Decision {
   std::optional<MembranePatch> patch;
-  double spare = 0.0;  // [eV] by which the limit of Metropolis' rule is above its energy
-  int added = 0;       // vertices
+  double spare = 0.0;             // [eV] by which the limit of Metropolis' rule is above its energy
+  int added = 0;                  // faces
+  std::optional<int> curve = {};  // of a boundary whose number of edges changes by `added`
 };
 
 struct Workspace {
@@ -72,14 +73,19 @@ class MembraneAnnealing {
   void renew() {
     mesh_.garbage_collection();
     deviations_ = valence_deviations(mesh_);
-    excess_ = static_cast<int>(mesh_.n_vertices()) - options_.wanted_vertices;
+    excess_ = static_cast<int>(mesh_.n_faces()) - options_.wanted_faces;
+    curve_edges_.assign(index(net_.constrained().curves().size()), 0);
+    for (const auto e : mesh_.edges()) {
+      if (const auto curve = net_.constrained().curve_of(e)) ++curve_edges_[index(*curve)];
+    }
   }
 
   int play_round() {
     const std::vector<VertexHandle> sites = disjoint_sites(mesh_, deviations_,
                                                            {.rings = MembranePatch::reach.inner,
                                                             .min_deviation = options_.min_deviation,
-                                                            .seed = seed_});
+                                                            .seed = seed_,
+                                                            .on_boundaries = true});
     const double reach = contact_skin * net_.membrane().contact_distance();
     const PointGrid grid(mesh_, reach, reach);
     std::vector<Decision> decisions(sites.size());
@@ -87,17 +93,34 @@ class MembraneAnnealing {
                       [&](std::size_t i) { decisions[i] = decide(sites[i], grid); });
     int moves = 0;
     for (const Decision& decision : decisions) {
-      if (!decision.patch || rise_of_count(decision.added) > decision.spare) continue;
+      if (!decision.patch) continue;
+      if (rise_of_counts(decision.added, decision.curve) > decision.spare) continue;
       apply(decision);
       ++moves;
     }
     return moves;
   }
 
-  /// [eV] of the count term.
-  [[nodiscard]] double rise_of_count(int added) const {
+  /// [eV] of the count terms.
+  ///
+  /// @param curve  Of a boundary whose number of edges changes too, by as many.
+  [[nodiscard]] double rise_of_counts(int added, std::optional<int> curve) const {
     const Membrane& membrane = net_.membrane();
-    return membrane.count_energy(excess_ + added) - membrane.count_energy(excess_);
+    const double rise = membrane.count_energy(excess_ + added) - membrane.count_energy(excess_);
+    if (!curve) return rise;
+    const double length = net_.constrained().curves().length(*curve);
+    const int edges = curve_edges_[index(*curve)];
+    return rise + membrane.boundary_count_energy(length, edges + added) -
+           membrane.boundary_count_energy(length, edges);
+  }
+
+  /// The curve of the boundary edge that a move of a patch splits or collapses.
+  [[nodiscard]] std::optional<int> curve_changed_by(const PatchTopology& after) const {
+    if (after.added_faces() % 2 == 0) return std::nullopt;
+    const PatchChange& change = after.changes().front();
+    const HalfedgeHandle h =
+        mesh_.find_halfedge(after.vertex(change.from), after.vertex(change.to));
+    return net_.constrained().curve_of(mesh_.edge_handle(h));
   }
 
   /// Tries the moves at a vertex in random order and takes the first that Metropolis accepts.
@@ -119,12 +142,14 @@ class MembraneAnnealing {
       if (!make_move(patch, patch.topology(), move)) continue;
       if (patch.topology().disorder() > disorder + max_new_disorder) continue;
       const double limit = *before + largest_rise(temperature_, random, min_gain);
-      const int added = move.added_vertices();
-      const auto energy =
-          patch.relax({patch_steps, tolerance, limit - rise_of_count(added)}, workspace.minimizer);
-      if (!energy || *energy + rise_of_count(added) > limit) continue;
+      const int added = patch.topology().added_faces();
+      const std::optional<int> curve = curve_changed_by(patch.topology());
+      const double rise = rise_of_counts(added, curve);
+      const auto energy = patch.relax({patch_steps, tolerance, limit - rise}, workspace.minimizer);
+      if (!energy || *energy + rise > limit) continue;
       decision.spare = limit - *energy;
       decision.added = added;
+      decision.curve = curve;
       decision.patch = patch;
       break;
     }
@@ -141,8 +166,13 @@ class MembraneAnnealing {
       const VertexHandle v = vertices[static_cast<std::size_t>(added)];
       Anchor anchor;
       anchor.face = net_.constrained().anchor(topology.vertex(0)).face;  // near enough
-      net_.constrained().set_anchor(v, anchor);
-      net_.set_hold(v, decision.patch->hold(added));
+      mesh_.point(v) = decision.patch->position(added);
+      if (topology.is_open(added)) {
+        net_.set_anchor_on_boundary(v, anchor);
+      } else {
+        net_.constrained().set_anchor(v, anchor);
+        net_.set_hold(v, decision.patch->hold(added));
+      }
     }
     for (int i = 0; i < topology.inner_count(); ++i) {
       if (!topology.is_inside(i)) continue;
@@ -151,13 +181,15 @@ class MembraneAnnealing {
       mesh_.point(v) = decision.patch->position(i);
     }
     excess_ += decision.added;
+    if (decision.curve) curve_edges_[index(*decision.curve)] += decision.added;
   }
 
   MembraneNet& net_;
   TriMesh& mesh_;
   const MembraneAnnealingOptions& options_;
   std::vector<int> deviations_;
-  int excess_ = 0;  // vertices more than wanted
+  std::vector<int> curve_edges_;  // of each feature curve
+  int excess_ = 0;                // faces more than wanted
   double temperature_ = 0.0;
   std::uint64_t seed_ = 0;
   tbb::enumerable_thread_specific<Workspace> workspaces_;

@@ -11,7 +11,7 @@ struct MembraneAnnealingOptions {
   double first_temperature = 0.0;  ///< [eV]; falls to the last, slowly at first
   double last_temperature = 0.0;   ///< [eV]
   int rounds = 0;
-  int wanted_vertices = 0;  ///< N0
+  int wanted_faces = 0;  ///< F0
   std::uint64_t seed = 0;
   int min_deviation = 1;  ///< of a valence from 6, for a vertex to be tried
   /// Called after every round with its number, from 0; annealing ends once it returns false.

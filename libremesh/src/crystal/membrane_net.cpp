@@ -59,8 +59,10 @@ MembraneNet::MembraneNet(ConstrainedMesh& constrained, const TriMesh& surface,
   renew();
 }
 
-VertexHold MembraneNet::hold_at(const Eigen::Vector3d& position, Anchor& anchor) const {
+VertexHold MembraneNet::hold_at(const Eigen::Vector3d& position, Anchor& anchor,
+                                bool is_boundary) const {
   VertexHold hold;
+  hold.stiffness.fill(membrane_.stretching);
   if (anchor.kind == FeatureKind::corner) {
     hold.foot = position;
     hold.normals = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
@@ -70,11 +72,19 @@ VertexHold MembraneNet::hold_at(const Eigen::Vector3d& position, Anchor& anchor)
   hold.foot = constrained_.project(position, anchor);
   hold.normals[0] = constrained_.surface().normal({hold.foot, anchor.face});
   hold.count = 1;
-  if (anchor.kind == FeatureKind::curve) {
-    const Eigen::Vector3d tangent = constrained_.curves().tangent(anchor.on_curve);
+  if (anchor.kind == FeatureKind::none) {
+    hold.stiffness[0] = membrane_.tether * membrane_.coarseness() * membrane_.coarseness();
+    return hold;
+  }
+  const Eigen::Vector3d tangent = constrained_.curves().tangent(anchor.on_curve);
+  hold.count = 2;
+  if (is_boundary) {
+    hold.normals[1] = tangent.cross(hold.normals[0]).normalized();
+    hold.stiffness[0] = membrane_.tether * membrane_.coarseness() * membrane_.coarseness();
+    hold.stiffness[1] = membrane_.boundary_tether * membrane_.coarseness();
+  } else {
     hold.normals[0] = tangent.unitOrthogonal();
     hold.normals[1] = tangent.cross(hold.normals[0]);
-    hold.count = 2;
   }
   return hold;
 }
@@ -84,6 +94,18 @@ void MembraneNet::set_hold(VertexHandle v, const VertexHold& hold) {
   holds_[index(v)] = hold;
 }
 
+void MembraneNet::set_anchor_on_boundary(VertexHandle v, Anchor anchor) {
+  const Eigen::Vector3d& position = constrained_.mesh.point(v);
+  anchor.kind = FeatureKind::curve;
+  for (const auto e : constrained_.mesh.ve_range(v)) {
+    if (const auto curve = constrained_.curve_of(e)) {
+      anchor.on_curve = constrained_.curves().nearest(position, *curve);
+    }
+  }
+  set_hold(v, hold_at(position, anchor, true));
+  constrained_.set_anchor(v, anchor);
+}
+
 void MembraneNet::renew() {
   TriMesh& mesh = constrained_.mesh;
   mesh.garbage_collection();
@@ -91,7 +113,7 @@ void MembraneNet::renew() {
   tbb::parallel_for(std::size_t{0}, holds_.size(), [&](std::size_t i) {
     const VertexHandle v(static_cast<int>(i));
     Anchor anchor = constrained_.anchor(v);
-    holds_[i] = hold_at(mesh.point(v), anchor);
+    holds_[i] = hold_at(mesh.point(v), anchor, mesh.is_boundary(v));
     constrained_.set_anchor(v, anchor);
   });
   find_pulls();
@@ -157,7 +179,7 @@ MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
     return images.number(b.idx(), lattice.image_of(position_beside(mesh, a, b) - mesh.point(b)));
   };
   const auto deviation_of = [&](VertexHandle v) {
-    return static_cast<int>(mesh.valence(v)) - (mesh.is_boundary(v) ? 4 : 6);
+    return mesh.is_boundary(v) ? 0 : static_cast<int>(mesh.valence(v)) - 6;
   };
   MembraneTerms<double> terms;
   const double per_area = membrane_.coarseness() * membrane_.coarseness();
@@ -175,10 +197,11 @@ MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
   }
   for (const auto v : mesh.vertices()) {
     const VertexHold& held = holds_[index(v)];
-    const double stiffness = held.count > 1 ? membrane_.stretching : membrane_.tether * per_area;
-    for (int k = 0; k < held.count && stiffness > 0.0; ++k) {
-      terms.tethers.push_back({v.idx(), stiffness, in_lanes(lattice.near(mesh.point(v), held.foot)),
-                               in_lanes(held.normals[static_cast<std::size_t>(k)])});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(held.count); ++k) {
+      if (held.stiffness[k] == 0.0) continue;
+      terms.tethers.push_back({v.idx(), held.stiffness[k],
+                               in_lanes(lattice.near(mesh.point(v), held.foot)),
+                               in_lanes(held.normals[k])});
     }
     for (const int i : pulls(v)) {
       const Sample& s = sample(i);
@@ -245,10 +268,13 @@ double MembraneNet::elastic_energy() {
 
 double MembraneNet::core_energy() const {
   const auto deviation = [](const auto& v) {
-    return static_cast<int>(v.valence()) - (v.is_boundary() ? 4 : 6);
+    return v.is_boundary() ? 0 : static_cast<int>(v.valence()) - 6;
   };
   double sum = 0.0;
-  for (const auto v : constrained_.mesh.vertices()) sum += membrane_.core_energy(deviation(v));
+  for (const auto v : constrained_.mesh.vertices()) {
+    sum += v.is_boundary() ? membrane_.boundary_energy(static_cast<int>(v.valence()) - 4)
+                           : membrane_.core_energy(deviation(v));
+  }
   for (const auto e : constrained_.mesh.edges()) {
     if (Membrane::is_pair(deviation(e.v0()), deviation(e.v1()))) sum += membrane_.pair;
   }

@@ -17,6 +17,7 @@ namespace trivalent::remesh {
 struct VertexHold {
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();
   std::array<Eigen::Vector3d, 3> normals;
+  std::array<double, 3> stiffness{};  ///< of each plane [eV/Å²]
   int count = 0;
 };
 
@@ -46,10 +47,13 @@ class MembraneNet {
   /// What holds a vertex since the last renew(), or since set_hold().
   [[nodiscard]] const VertexHold& hold(VertexHandle v) const { return holds_[index(v)]; }
   void set_hold(VertexHandle v, const VertexHold& hold);
+  /// Puts a new vertex onto the curve of the boundary that it is on.
+  void set_anchor_on_boundary(VertexHandle v, Anchor anchor);
   /// Numbers of samples that pull at a vertex.
   [[nodiscard]] std::span<const int> pulls(VertexHandle v) const;
   [[nodiscard]] const Sample& sample(int i) const { return samples_[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] VertexHold hold_at(const Eigen::Vector3d& position, Anchor& anchor) const;
+  [[nodiscard]] VertexHold hold_at(const Eigen::Vector3d& position, Anchor& anchor,
+                                   bool is_boundary) const;
 
   /// Moves all vertices towards the minimum of the energy.
   ///

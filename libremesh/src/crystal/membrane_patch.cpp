@@ -35,7 +35,7 @@ void MembranePatch::find_holds(const MembraneNet& net) {
     holds_[at(i)] = {foot, in_lanes(hold.normals[0])};
     for (int k = 0; k < hold.count && hold.count > 1; ++k) {
       feature_tethers_.push_back(
-          {i, static_cast<float>(membrane_->stretching), foot, in_lanes(hold.normals[at(k)])});
+          {i, static_cast<float>(hold.stiffness[at(k)]), foot, in_lanes(hold.normals[at(k)])});
     }
     for (const int s : net.pulls(v)) {
       const MembraneNet::Sample& sample = net.sample(s);
@@ -90,7 +90,7 @@ VertexHold MembranePatch::hold(int i) const {
 
 bool MembranePatch::collapse(int removed, int kept) {
   if (!topology_.collapse(removed, kept)) return false;
-  if (!topology_.is_on_feature(kept)) {
+  if (!topology_.is_on_feature(kept) || topology_.is_on_feature(removed)) {
     x_[at(kept)] = 0.5F * (x_[at(kept)] + beside(kept, x_[at(removed)]));
   }
   for (Pull<float>& pull : pulls_) {
@@ -107,6 +107,7 @@ bool MembranePatch::split(int a, int b) {
   x_[at(n)] = 0.5F * (x_[at(a)] + beside(a, x_[at(b)]));
   holds_[at(n)] = {0.5F * (holds_[at(a)].foot + beside(a, holds_[at(b)].foot)),
                    (holds_[at(a)].normal + holds_[at(b)].normal).normalized()};
+  if (topology_.is_open(n)) hold_between(n, a, b);
   const std::size_t before = near_.size();
   for (std::size_t k = 0; k < before; ++k) {
     const auto [i, j, image] = near_[k];
@@ -114,6 +115,25 @@ bool MembranePatch::split(int a, int b) {
     if (j == a) near_.push_back({n, i, {-image[0], -image[1], -image[2]}});
   }
   return true;
+}
+
+void MembranePatch::hold_between(int n, int a, int b) {
+  // The tethers of a that lie beside one of b; at corners there are more.
+  const auto of = [&](int i) {
+    std::vector<Tether<float>> tethers;
+    for (const Tether<float>& t : feature_tethers_) {
+      if (t.i == i) tethers.push_back(t);
+    }
+    return tethers;
+  };
+  const std::vector<Tether<float>> of_a = of(a);
+  const std::vector<Tether<float>> of_b = of(b);
+  if (of_a.size() != of_b.size()) return;
+  for (std::size_t k = 0; k < of_a.size(); ++k) {
+    feature_tethers_.push_back({n, 0.5F * (of_a[k].stiffness + of_b[k].stiffness),
+                                0.5F * (of_a[k].foot + beside(a, of_b[k].foot)),
+                                (of_a[k].normal + of_b[k].normal).normalized()});
+  }
 }
 
 void MembranePatch::mend_valences() {
@@ -132,7 +152,7 @@ Lattice::Image MembranePatch::image_beside(int i, int j) const {
 float MembranePatch::rest_length(int a, int b) const {
   // Where one-rings are not known, edges stay as they are.
   const auto deviation = [&](int i) {
-    return topology_.valence(i) > 0 ? topology_.deviation(i) : 0;
+    return topology_.valence(i) > 0 && !topology_.is_open(i) ? topology_.deviation(i) : 0;
   };
   return static_cast<float>(membrane_->rest_length(deviation(a), deviation(b)));
 }
@@ -195,7 +215,8 @@ std::optional<MembraneTerms<float>> MembranePatch::terms(VertexImages& images) c
     if (j < topology_.inner_count() && !topology_.is_inside(j)) continue;
     if (i != j) terms.contacts.push_back({i, images.number(j, image)});
   }
-  terms.tethers = feature_tethers_;
+  std::ranges::copy_if(feature_tethers_, std::back_inserter(terms.tethers),
+                       [&](const Tether<float>& t) { return topology_.is_inside(t.i); });
   const double per_area = membrane_->coarseness() * membrane_->coarseness();
   const auto stiffness = static_cast<float>(membrane_->tether * per_area);
   for (int i = 0; i < topology_.inner_count(); ++i) {
@@ -210,7 +231,11 @@ double MembranePatch::core_energy() const {
   double sum = 0.0;
   for (int i = 0; i < topology_.inner_count(); ++i) {
     if (!topology_.is_inside(i)) continue;
-    sum += membrane_->core_energy(topology_.deviation(i)) + pair_energy(i);
+    if (topology_.is_open(i)) {
+      sum += membrane_->boundary_energy(topology_.deviation(i));
+    } else {
+      sum += membrane_->core_energy(topology_.deviation(i)) + pair_energy(i);
+    }
   }
   return sum;
 }
@@ -220,7 +245,7 @@ double MembranePatch::pair_energy(int i) const {
   for (int k = 0; k < topology_.valence(i); ++k) {
     const int j = topology_.ring(i)[at(k)];
     const bool is_counted_there = topology_.is_inside(j) && j < i;
-    if (is_counted_there || topology_.valence(j) == 0) continue;
+    if (is_counted_there || topology_.valence(j) == 0 || topology_.is_open(j)) continue;
     if (Membrane::is_pair(topology_.deviation(i), topology_.deviation(j))) sum += membrane_->pair;
   }
   return sum;

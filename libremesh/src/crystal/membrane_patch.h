@@ -75,6 +75,8 @@ class MembranePatch {
   [[nodiscard]] Vector beside(int i, const Vector& place) const;
   /// The image of vertex j that is beside vertex i.
   [[nodiscard]] Lattice::Image image_beside(int i, int j) const;
+  /// Holds a new vertex of a boundary as its neighbors there are held.
+  void hold_between(int n, int a, int b);
   [[nodiscard]] double core_energy() const;
   /// [eV] of the pairs of a vertex that no inner vertex before it counts.
   [[nodiscard]] double pair_energy(int i) const;

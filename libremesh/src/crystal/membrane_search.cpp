@@ -42,6 +42,8 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
+        is_open_(
+            std::ranges::any_of(surface_.edges(), [](const auto e) { return e.is_boundary(); })),
         tether_factor_(is_held(options) ? 1.0 : tether_factor(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
@@ -112,14 +114,14 @@ class MembraneSearch {
 
   /// Anneals the net after a division.
   void settle(const Level& level, bool is_to_order) {
-    const auto vertices = static_cast<int>(net_.mesh.n_vertices());
-    int wanted = wanted_vertices(level);
+    const auto faces = static_cast<int>(net_.mesh.n_faces());
+    int wanted = wanted_faces(level);
     // The coarse net came near to the number without a defect. Whoever changes it now leaves pairs
     // of 5-7 of about 3 eV each; a cell of a crystal has to have its number.
-    const bool is_near = std::abs(vertices - wanted) <= free_count * wanted;
-    if (is_near && !surface_.lattice.is_periodic()) wanted = vertices;
+    const bool is_near = std::abs(faces - wanted) <= free_count * wanted;
+    if (is_near && !surface_.lattice.is_periodic()) wanted = faces;
     Membrane membrane = membrane_at(level);
-    const bool is_settling = !is_to_order && wanted == vertices;
+    const bool is_settling = !is_to_order && wanted == faces;
     if (is_settling && level.coarseness == 1) membrane.pair = settled_pair;
     const Schedule& schedule = is_to_order ? refining : is_settling ? settling : climbing;
     watch_.expect(rounds_of(schedule));
@@ -143,7 +145,7 @@ class MembraneSearch {
 
   /// Adds nets of a crystal's cell that come from few vertices.
   void try_cell_nets() {
-    const auto division = plan_cell_division(surface_, wanted_vertices(levels.back()));
+    const auto division = plan_cell_division(surface_, wanted_vertices());
     if (!division) return;
     // A remeshed start of four times the vertices; the lattice allows edges of a quarter of it.
     const double base_length = Membrane::fine_length * std::sqrt(division->triangles_each());
@@ -185,12 +187,17 @@ class MembraneSearch {
     return membrane;
   }
 
-  /// Vertices of a net that comes to the faces of the target length by divisions.
-  [[nodiscard]] int wanted_vertices(const Level& level) const {
+  /// Faces of a net that comes to those of the target length by divisions.
+  [[nodiscard]] int wanted_faces(const Level& level) const {
     const double face_area = unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
     const double faces =
         options_.wanted_faces.value_or(area_ / face_area) / (level.coarseness * level.coarseness);
-    return vertices_for_faces(net_.mesh, faces);
+    if (is_open_) return static_cast<int>(std::lround(faces));
+    return 2 * static_cast<int>(std::lround(0.5 * faces));
+  }
+  /// Vertices of a closed net of the target length.
+  [[nodiscard]] int wanted_vertices() const {
+    return euler_characteristic(surface_) + wanted_faces(levels.back()) / 2;
   }
 
   /// Anneals the first net, a small one several times.
@@ -199,7 +206,7 @@ class MembraneSearch {
   std::vector<ConstrainedMesh::State> orders(Level level) {
     if (is_judged()) level.max_orders = max_judged_orders;
     // Half of the time is for the nets that come from few vertices.
-    if (plan_cell_division(surface_, wanted_vertices(levels.back()))) level.vertex_rounds *= 0.5;
+    if (plan_cell_division(surface_, wanted_vertices())) level.vertex_rounds *= 0.5;
     const OrderPlan plan =
         plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
     watch_.expect(plan.orders * rounds_of(plan.schedule));
@@ -219,7 +226,7 @@ class MembraneSearch {
       Schedule own = plan.schedule;
       if (k % 2 == 1) own.hot = level.molten;
       found[k].energy = anneal(net, membrane_at(level),
-                               {.schedule = own, .wanted = wanted_vertices(level), .seed = seed});
+                               {.schedule = own, .wanted = wanted_faces(level), .seed = seed});
       found[k].state = net.on_surface.state();
     };
     // Small nets have few patches at a time, so that their orders are found at the same time.
@@ -237,7 +244,7 @@ class MembraneSearch {
 
   struct Annealing {
     Schedule schedule;
-    int wanted;  ///< vertices
+    int wanted;  ///< faces
     std::uint64_t seed;
   };
 
@@ -257,7 +264,7 @@ class MembraneSearch {
     options.first_temperature = annealing.schedule.hot;
     options.last_temperature = is_last ? 0.0 : annealing.schedule.cold;
     options.rounds = rounds_of(annealing.schedule);
-    options.wanted_vertices = annealing.wanted;
+    options.wanted_faces = annealing.wanted;
     // Levels have random numbers of their own.
     options.seed =
         3 * annealing.seed + static_cast<std::uint64_t>(std::lround(membrane.coarseness()));
@@ -274,11 +281,10 @@ class MembraneSearch {
     return energy_of(net, annealing.wanted);
   }
 
-  /// @param wanted  Number of vertices.
+  /// @param wanted  Number of faces.
   [[nodiscard]] static double energy_of(MembraneNet& net, int wanted) {
-    const int vertices = static_cast<int>(net.constrained().mesh.n_vertices());
-    return net.elastic_energy() + net.core_energy() +
-           net.membrane().count_energy(vertices - wanted);
+    const int faces = static_cast<int>(net.constrained().mesh.n_faces());
+    return net.elastic_energy() + net.core_energy() + net.membrane().count_energy(faces - wanted);
   }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {
@@ -317,7 +323,7 @@ class MembraneSearch {
       net.renew();
       net.relax(closing_steps, watch_.question());
     }
-    return energy_of(net, wanted_vertices(levels.back()));
+    return energy_of(net, wanted_faces(levels.back()));
   }
 
   /// Finishes the candidates, and keeps the best.
@@ -340,9 +346,9 @@ class MembraneSearch {
     net_.on_surface.restore(best->state);
   }
 
-  /// What a net of the target length costs for vertices too many or too few [eV].
+  /// What a net of the target length costs for faces too many or too few [eV].
   [[nodiscard]] double count_energy(const TriMesh& mesh) const {
-    const int excess = static_cast<int>(mesh.n_vertices()) - wanted_vertices(levels.back());
+    const int excess = static_cast<int>(mesh.n_faces()) - wanted_faces(levels.back());
     return final_membrane().count_energy(excess);
   }
 
@@ -359,6 +365,7 @@ class MembraneSearch {
   const CrystalOptions& options_;
   SearchWatch& watch_;
   double area_;
+  bool is_open_;
   double tether_factor_;
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came

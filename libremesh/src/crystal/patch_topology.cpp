@@ -13,7 +13,9 @@ HalfedgeHandle next_spoke(const TriMesh& mesh, HalfedgeHandle h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
 
-constexpr int min_valence = 4;  // of vertices that lose an edge
+/// Of vertices that have lost an edge.
+constexpr int min_valence = 4;
+constexpr int min_boundary_valence = 3;
 
 }  // namespace
 
@@ -27,6 +29,7 @@ PatchTopology::PatchTopology(const ConstrainedMesh& constrained, VertexHandle ce
     ring_[at(i)].fill(static_cast<std::uint8_t>(i));
     valence_[at(i)] = 0;
     on_feature_[at(i)] = v.is_valid() && constrained.anchor(v).kind != FeatureKind::none;
+    is_corner_[at(i)] = v.is_valid() && constrained.anchor(v).kind == FeatureKind::corner;
     open_[at(i)] = v.is_valid() && mesh.is_boundary(v);
     goal_[at(i)] = open_[at(i)] ? 4 : 6;
     if (!v.is_valid() || i >= ring_end_[at(reach.known)]) continue;
@@ -120,13 +123,25 @@ void PatchTopology::remove_from_ring(int v, int neighbor) {
   --valence_[at(v)];
 }
 
-void PatchTopology::insert_after(int v, int neighbor, int inserted) {
+void PatchTopology::insert_at(int v, int place, int inserted) {
   Ring& ring = ring_[at(v)];
-  const auto place = ring.begin() + place_in_ring(v, neighbor) + 1;
+  const auto begin = ring.begin() + place;
   const auto end = ring.begin() + valence_[at(v)];
-  std::copy_backward(place, end, end + 1);
-  *place = static_cast<std::uint8_t>(inserted);
+  std::copy_backward(begin, end, end + 1);
+  *begin = static_cast<std::uint8_t>(inserted);
   ++valence_[at(v)];
+}
+
+void PatchTopology::insert_after(int v, int neighbor, int inserted) {
+  insert_at(v, place_in_ring(v, neighbor) + 1, inserted);
+}
+
+void PatchTopology::replace_in_ring(int v, int neighbor, int by) {
+  ring_[at(v)][at(place_in_ring(v, neighbor))] = static_cast<std::uint8_t>(by);
+}
+
+bool PatchTopology::can_lose_edge(int v) const {
+  return valence_[at(v)] > (open_[at(v)] ? min_boundary_valence : min_valence);
 }
 
 bool PatchTopology::flip(int a, int b) {
@@ -135,7 +150,7 @@ bool PatchTopology::flip(int a, int b) {
   const int d = previous_in_ring(a, b);
   if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d)) return false;
   if (is_neighbor(c, d)) return false;
-  if (valence_[at(a)] <= min_valence || valence_[at(b)] <= min_valence) return false;
+  if (!can_lose_edge(a) || !can_lose_edge(b)) return false;
   if (valence_[at(c)] >= max_valence || valence_[at(d)] >= max_valence) return false;
   remove_from_ring(a, b);
   remove_from_ring(b, a);
@@ -147,7 +162,9 @@ bool PatchTopology::flip(int a, int b) {
 }
 
 bool PatchTopology::collapse(int removed, int kept) {
-  if (!is_inside(removed) || !is_inside(kept) || on_feature_[at(removed)]) return false;
+  if (!is_inside(removed) || !is_inside(kept)) return false;
+  if (open_[at(removed)] && open_[at(kept)]) return collapse_on_boundary(removed, kept);
+  if (on_feature_[at(removed)]) return false;
   const int c = next_in_ring(removed, kept);
   const int d = previous_in_ring(removed, kept);
   int common = 0;
@@ -156,27 +173,79 @@ bool PatchTopology::collapse(int removed, int kept) {
     if (!is_inside(u)) return false;
     if (is_neighbor(kept, u)) ++common;
   }
-  if (common != 2 || valence_[at(c)] <= min_valence || valence_[at(d)] <= min_valence) return false;
+  if (common != 2 || !can_lose_edge(c) || !can_lose_edge(d)) return false;
   if (valence_[at(kept)] + valence_[at(removed)] - 4 > max_valence) return false;
   for (const int u : {c, d, kept}) remove_from_ring(u, removed);
   int last = c;
   for (int u = next_in_ring(removed, c); u != d; u = next_in_ring(removed, u)) {
-    ring_[at(u)][at(place_in_ring(u, removed))] = static_cast<std::uint8_t>(kept);
+    replace_in_ring(u, removed, kept);
     insert_after(kept, last, u);
     last = u;
   }
   valence_[at(removed)] = 0;
+  added_faces_ -= 2;
   changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
                       static_cast<std::uint8_t>(kept)});
   return true;
 }
 
+bool PatchTopology::collapse_on_boundary(int removed, int kept) {
+  const int c = next_in_ring(removed, kept);
+  const int d = previous_in_ring(removed, kept);
+  if ((c < 0) == (d < 0) || is_corner_[at(removed)]) return false;
+  const int third = c < 0 ? d : c;
+  const int n = valence_[at(removed)];
+  if (n < min_boundary_valence || valence_[at(kept)] < min_boundary_valence) return false;
+  for (int k = 0; k < n; ++k) {
+    const int u = ring_[at(removed)][at(k)];
+    if (!is_inside(u) || (u != third && is_neighbor(kept, u))) return false;
+  }
+  if (!can_lose_edge(third) || valence_[at(kept)] + n - 3 > max_valence) return false;
+  remove_from_ring(third, removed);
+  remove_from_ring(kept, removed);
+  // Away from the collapsed edge, on both sides of it.
+  int last = third;
+  for (int u = third;;) {
+    u = d < 0 ? next_in_ring(removed, u) : previous_in_ring(removed, u);
+    if (u < 0) break;
+    replace_in_ring(u, removed, kept);
+    insert_at(kept, place_in_ring(kept, last) + (d < 0 ? 1 : 0), u);
+    last = u;
+  }
+  valence_[at(removed)] = 0;
+  added_faces_ -= 1;
+  changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
+                      static_cast<std::uint8_t>(kept)});
+  return true;
+}
+
+bool PatchTopology::split_on_boundary(int a, int b) {
+  const int n = added();
+  if (previous_in_ring(a, b) >= 0) std::swap(a, b);  // the face is on the left of a-b
+  const int c = next_in_ring(a, b);
+  if (c < 0 || !is_inside(c) || valence_[at(c)] >= max_valence) return false;
+  valence_[at(n)] = 3;
+  ring_[at(n)] = {static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c),
+                  static_cast<std::uint8_t>(a)};
+  open_[at(n)] = true;
+  on_feature_[at(n)] = true;
+  goal_[at(n)] = 4;
+  replace_in_ring(a, b, n);
+  replace_in_ring(b, a, n);
+  insert_after(c, a, n);
+  added_faces_ += 1;
+  changes_.push_back(
+      {PatchChange::Kind::split, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
+  return true;
+}
+
 bool PatchTopology::split(int a, int b) {
   const int n = added();
-  if (!is_inside(a) || !is_inside(b) || is_rigid(a, b) || is_inside(n)) return false;
+  if (!is_inside(a) || !is_inside(b) || is_inside(n)) return false;
   const int c = next_in_ring(a, b);
   const int d = previous_in_ring(a, b);
-  if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d)) return false;
+  if ((c < 0) != (d < 0)) return split_on_boundary(a, b);
+  if (is_rigid(a, b) || c < 0 || !is_inside(c) || !is_inside(d)) return false;
   if (valence_[at(c)] >= max_valence || valence_[at(d)] >= max_valence) return false;
   valence_[at(n)] = 4;
   ring_[at(n)] = {static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c),
@@ -185,6 +254,7 @@ bool PatchTopology::split(int a, int b) {
   ring_[at(b)][at(place_in_ring(b, a))] = static_cast<std::uint8_t>(n);
   insert_after(c, a, n);
   insert_after(d, b, n);
+  added_faces_ += 2;
   changes_.push_back(
       {PatchChange::Kind::split, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
   return true;
@@ -203,7 +273,7 @@ std::optional<PatchTopology::MendingFlip> PatchTopology::mending_flip(
     if (!is_inside(a) || deviation(a) <= 0) continue;
     for (int k = 0; k < valence_[at(a)]; ++k) {
       const int b = ring_[at(a)][at(k)];
-      if (!is_inside(b) || is_rigid(a, b) || valence_[at(b)] <= min_valence) continue;
+      if (!is_inside(b) || is_rigid(a, b) || !can_lose_edge(b)) continue;
       const int c = next_in_ring(a, b);
       const int d = previous_in_ring(a, b);
       if (c < 0 || d < 0 || !is_inside(c) || !is_inside(d) || is_neighbor(c, d)) continue;

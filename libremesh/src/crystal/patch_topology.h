@@ -78,6 +78,8 @@ class PatchTopology {
   /// 0 for a vertex that was removed, is not there yet, or whose one-ring is not known.
   [[nodiscard]] int valence(int i) const { return valence_[at(i)]; }
   [[nodiscard]] bool is_inside(int i) const { return i < inner_ && valence_[at(i)] > 0; }
+  /// Faces more than at first.
+  [[nodiscard]] int added_faces() const { return added_faces_; }
   /// Valence minus what it should be: 6, or 4 on a boundary.
   [[nodiscard]] int deviation(int i) const { return valence_[at(i)] - goal_[at(i)]; }
   [[nodiscard]] int neighbor(int i, int k) const { return ring_[at(i)][at(k)]; }
@@ -98,7 +100,8 @@ class PatchTopology {
   [[nodiscard]] int disorder() const;
 
   /// Each returns false, and changes nothing, if the result would not be a manifold, would leave a
-  /// feature curve, or would reach beyond the inner vertices. At most one split.
+  /// feature curve, or would reach beyond the inner vertices. At most one split. Vertices of a
+  /// boundary are removed or added along it.
   bool flip(int a, int b);
   bool collapse(int removed, int kept);
   bool split(int a, int b);
@@ -119,16 +122,23 @@ class PatchTopology {
   bool find_ring(const TriMesh& mesh, int i, const PatchMarks& marks);
   [[nodiscard]] int place_in_ring(int v, int neighbor) const;
   void remove_from_ring(int v, int neighbor);
+  void insert_at(int v, int place, int inserted);
   void insert_after(int v, int neighbor, int inserted);
+  void replace_in_ring(int v, int neighbor, int by);
+  [[nodiscard]] bool can_lose_edge(int v) const;
+  bool collapse_on_boundary(int removed, int kept);
+  bool split_on_boundary(int a, int b);
   [[nodiscard]] int gain_of_flip(int a, int b, int c, int d) const;
 
   int count_ = 0;
   int inner_ = 0;
+  int added_faces_ = 0;
   bool whole_ = false;
   std::array<int, max_rings> ring_end_{};
   std::array<VertexHandle, capacity> vertex_;
   std::array<bool, capacity> on_feature_;
-  std::array<bool, capacity> open_;  ///< the ring is not closed: on a boundary
+  std::array<bool, capacity> is_corner_;  ///< where feature curves end, meet or turn
+  std::array<bool, capacity> open_;       ///< the ring is not closed: on a boundary
   std::array<std::uint8_t, capacity> valence_;
   std::array<std::int8_t, capacity> goal_;
   std::array<Ring, capacity> ring_;  ///< counter-clockwise

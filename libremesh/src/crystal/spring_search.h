@@ -21,9 +21,8 @@ struct SearchSurface {
 };
 
 /// The ground state of springs on a rigid surface, searched for by annealing: at twice the target
-/// length where there is room, then divided and annealed at the target length. For surfaces on
-/// which a membrane is not better: open ones, those with creases, and parts too thin for a net of
-/// twice the length.
+/// length where there is room, then divided and annealed at the target length. For nets that are to
+/// lie on the surface, and parts too thin for a net of twice the length.
 ///
 /// @return  Nothing if the search was stopped before there was a net.
 [[nodiscard]] std::optional<FoundNet> search_springs(const SearchSurface& surface,

@@ -145,6 +145,13 @@ CurvePoint FeatureCurves::nearest(const Eigen::Vector3d& p, int curve) const {
   return best;
 }
 
+double FeatureCurves::length(int curve) const {
+  const std::vector<Eigen::Vector3d>& points = curves_[static_cast<std::size_t>(curve)].points;
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i] - points[i - 1]).norm();
+  return sum;
+}
+
 Eigen::Vector3d FeatureCurves::tangent(const CurvePoint& p) const {
   const Curve& curve = curves_[static_cast<std::size_t>(p.curve)];
   const auto i = static_cast<std::size_t>(p.segment);

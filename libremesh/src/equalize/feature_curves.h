@@ -36,6 +36,8 @@ class FeatureCurves {
   explicit FeatureCurves(const TriMesh& surface, const Creases& creases = {});
 
   [[nodiscard]] bool empty() const { return curves_.empty(); }
+  [[nodiscard]] int size() const { return static_cast<int>(curves_.size()); }
+  [[nodiscard]] double length(int curve) const;
 
   /// The curve that an edge of the surface is part of.
   [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[index(e)]; }
