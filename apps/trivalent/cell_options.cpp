@@ -6,6 +6,30 @@
 
 namespace trivalent::apps {
 
+void add_mesh_cell_options(po::options_description& options) {
+  options.add_options()  //
+      ("cell", po::value<std::string>(),
+       "a[,b,c[,alpha,beta,gamma]]: the periodic cell of which the mesh shows one; it is open "
+       "where "
+       "it goes on in the next; lengths in its unit, angles in degree, formulas allowed: 2*pi; or "
+       "the nine coordinates of the cell vectors")  //
+      ("periodic", po::value<std::string>(),
+       "cell vectors along which it repeats, as in xy; default: xyz. Along fewer, its edges may "
+       "stay open");
+}
+
+shell::CellOptions mesh_cell_options(const Session& session) {
+  shell::CellOptions options;
+  if (const auto cell = session.find<std::string>("cell")) {
+    options.lattice = remesh::Lattice(shell::parse_cell(*cell), {true, true, true});
+  }
+  if (const auto periodic = session.find<std::string>("periodic")) {
+    if (!options.lattice) throw UsageError("--periodic belongs to --cell");
+    options.periodic = periodic_directions(*periodic);
+  }
+  return options;
+}
+
 void add_cell_options(po::options_description& options) {
   const shell::CellOptions defaults;
   options.add_options()  //
@@ -20,7 +44,9 @@ void add_cell_options(po::options_description& options) {
        "value of the formula or volume on the surface; it is lower inside, but for a volume that "
        "is not periodic")  //
       ("periodic", po::value<std::string>(),
-       "axes along which a volume repeats, as in xyz or z; default: none")  //
+       "axes along which a volume repeats, as in xyz or z; default: none. Of a mesh with --cell "
+       "the cell vectors along which it does; default: xyz. Along fewer, its edges may stay "
+       "open")  //
       ("raw", po::value<std::string>(),
        "nx,ny,nz,type[,spacing]: what a .raw volume holds, as in 64,64,64,uint16,0.5; the first "
        "axis runs fastest")  //

@@ -7,6 +7,11 @@
 
 namespace trivalent::apps {
 
+/// The cell of which a mesh file shows one.
+void add_mesh_cell_options(po::options_description& options);
+[[nodiscard]] shell::CellOptions mesh_cell_options(const Session& session);
+
+/// The same, and what formulas and volumes need.
 void add_cell_options(po::options_description& options);
 
 /// @throws UsageError if the options contradict each other.

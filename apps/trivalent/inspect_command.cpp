@@ -1,3 +1,4 @@
+#include "cell_options.h"
 #include "command.h"
 #include "files.h"
 #include "repair_options.h"
@@ -27,7 +28,9 @@ Grammar grammar_of_inspect() {
   add_repair_options(repair);
   po::options_description size("Planned shell");
   add_shell_size_options(size);
-  grammar.options.add(repair).add(size);
+  po::options_description cell("Cell");
+  add_mesh_cell_options(cell);
+  grammar.options.add(repair).add(size).add(cell);
   grammar.epilog =
       "Exit codes: 0 sound, 1 mendable (build does it, or says how), 3 hopeless.\n"
       "Indices count from 0, in the order of the file.\n";
@@ -54,7 +57,8 @@ int run_inspect(const Command& self, std::span<const std::string> arguments) {
       .shell = {.size = shell_size(*session),
                 .bond = session->find<double>("bond").value_or(dual::default_bond_length),
                 .method = {}},
-      .repair = repair_options(*session)};
+      .repair = repair_options(*session),
+      .cell = mesh_cell_options(*session)};
   const auto target = session->find<double>("edge");
   if (target && !(*target > 0.0)) throw UsageError("--edge must be > 0");
 

@@ -1,3 +1,4 @@
+#include "cell_options.h"
 #include "command.h"
 #include "files.h"
 #include "remesh_options.h"
@@ -19,6 +20,7 @@ Grammar grammar_of_remesh() {
        "m, the wanted edge length in units of the mesh; must be given");
   add_remesh_options(grammar.options);
   add_repair_options(grammar.options);
+  add_mesh_cell_options(grammar.options);
   return grammar;
 }
 
@@ -29,7 +31,8 @@ int run_remesh(const Command& self, std::span<const std::string> arguments) {
   const auto edge = session->get<double>("edge");
   shell::RemeshSurfaceOptions options = {.target_edge_length = edge,
                                          .method = remesh_method(*session),
-                                         .repair = repair_options(*session)};
+                                         .repair = repair_options(*session),
+                                         .cell = mesh_cell_options(*session)};
   const auto& output = session->get<std::string>("OUT");
   check_output(output, mesh_extensions);
 

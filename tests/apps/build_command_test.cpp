@@ -58,10 +58,11 @@ TEST_F(BuildCommand, TakesVolumes) {
   expect_failure(1, "axis is periodic", "build p.cube -o free");
   expect_failure(1, "between them", "build p.cube --periodic xyz --level 7 -o none");
   expect_failure(2, "has a cell of its own", "build p.cube --cell 5 -o other");
-  expect_failure(2, "no volume", "build " TRIVALENT_MESHES "/elephant.off --periodic xyz -o mesh");
+  expect_failure(2, "neither a volume",
+                 "build " TRIVALENT_MESHES "/elephant.off --periodic xyz -o mesh");
   expect_failure(2, "--level belongs to", "build sphere --level 1 -o sphere");
   expect_failure(2, "layout", "build p.cube --raw 4,4,uint8 -o raw");
-  expect_failure(2, "no volume", "build sphere --periodic z -o sphere");
+  expect_failure(2, "neither a volume", "build sphere --periodic z -o sphere");
   expect_failure(2, "no volume", "build sphere --raw 4,4,4,uint8 -o sphere");
 }
 

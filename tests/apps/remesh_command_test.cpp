@@ -40,6 +40,22 @@ TEST_F(RemeshCommand, TellsAtWhichEdgeLengthASurfaceIsNotTooFine) {
   EXPECT_EQ(fine["net"]["too_fine"]["growth"], 1.0);
 }
 
+TEST_F(RemeshCommand, JoinsAMeshOfOneCell) {
+  succeed("shape schwarz-p p.off --edge 0.05");
+  const auto remeshed =
+      succeed("remesh p.off net.off --edge 0.08 --cell 1 --effort quick --json").json()["quality"];
+  EXPECT_EQ(remeshed["euler_characteristic"], -4);
+  EXPECT_EQ(remeshed["boundary_loops"], 0);
+  // What it writes is a mesh of one cell again.
+  const auto inspected = trivalent("inspect net.off --cell 1 --json").json()["quality"];
+  EXPECT_EQ(inspected["euler_characteristic"], -4);
+  EXPECT_NEAR(inspected["edge_length"]["mean"].get<double>(),
+              remeshed["edge_length"]["mean"].get<double>(), 1e-9);
+  expect_failure(1, "no partner", "remesh p.off net.off --edge 0.08 --cell 1.1");
+  expect_failure(2, "--periodic belongs to --cell",
+                 "remesh p.off net.off --edge 0.08 --periodic x");
+}
+
 TEST_F(RemeshCommand, RefusesOptionsOfTheOtherMethod) {
   expect_failure(2, "--rings has no effect", "remesh torus.off out.off --edge 0.2 --rings 3");
   expect_failure(2, "--seed has no effect",

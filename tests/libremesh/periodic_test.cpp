@@ -158,9 +158,6 @@ TEST(PeriodicSurface, TooSmallACellIsRefused) {
     EXPECT_NE(std::string(error.what()).find("use at most 0.25, or a supercell"), std::string::npos)
         << error.what();
   }
-  EXPECT_THROW(
-      static_cast<void>(remesh(surface, {.target_edge_length = 0.1, .feature_angle = 0.5})),
-      InvalidOption);
 }
 
 TEST(Repeated, MakesASupercellOfTheSameSurface) {
@@ -182,6 +179,102 @@ TEST(JoinedInCell, RefusesABoundaryWithoutPartner) {
   const TriMesh sheet = testing_support::triangular_sheet(3, 3);
   const Lattice lattice(Eigen::Vector3d(50.0, 50.0, 50.0).asDiagonal(), {true, true, true});
   EXPECT_THROW(static_cast<void>(joined_in_cell(sheet, lattice)), InvalidMesh);
+}
+
+/// One period of a wavy strip along x, with open edges along it.
+TriMesh wavy_strip(double period, double width) {
+  constexpr int n_x = 40;
+  constexpr int n_y = 20;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (int j = 0; j <= n_y; ++j) {
+    for (int i = 0; i <= n_x; ++i) {
+      const double phase = 2.0 * std::numbers::pi * i / n_x;
+      points.emplace_back(period * i / n_x, width * j / n_y, 0.05 * period * std::sin(phase));
+      if (i == n_x || j == n_y) continue;
+      const int a = j * (n_x + 1) + i;
+      const int b = a + n_x + 1;
+      triangles.push_back({a, a + 1, b + 1});
+      triangles.push_back({a, b + 1, b});
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+Lattice box_lattice(double a, const Lattice::Periodic& periodic) {
+  return {Eigen::Vector3d(a, 20.0, 20.0).asDiagonal(), periodic};
+}
+
+TEST(JoinedInCell, LeavesEdgesOpenBesideThePeriodicDirections) {
+  const TriMesh strip =
+      joined_in_cell(wavy_strip(6.0, 3.0), box_lattice(6.0, {true, false, false}));
+  EXPECT_EQ(euler_characteristic(strip), 0);
+  EXPECT_EQ(measure_quality(strip).boundary_loops, 2);
+}
+
+TEST(JoinedInCell, RefusesEdgesWhereTheCellDoesNotFit) {
+  const TriMesh strip = wavy_strip(6.0, 3.0);
+  for (const Lattice& lattice :
+       {box_lattice(6.0, {true, true, true}), box_lattice(6.1, {true, false, false}),
+        box_lattice(6.0, {false, true, false}), box_lattice(6.0, {true, true, false})}) {
+    EXPECT_THROW(static_cast<void>(joined_in_cell(strip, lattice)), InvalidMesh);
+  }
+  // At one end a vertex too many.
+  TriMesh slit = strip;
+  for (const auto e : slit.edges()) {
+    if (!e.is_boundary() || slit.point(e.v0()).x() != 0.0 || slit.point(e.v1()).x() != 0.0)
+      continue;
+    slit.split(e, Eigen::Vector3d(0.5 * (slit.point(e.v0()) + slit.point(e.v1()))));
+    break;
+  }
+  EXPECT_THROW(static_cast<void>(joined_in_cell(slit, box_lattice(6.0, {true, false, false}))),
+               InvalidMesh);
+}
+
+TEST(PeriodicSurface, KeepsItsEdgesInBothMethods) {
+  const Lattice lattice = box_lattice(6.0, {true, false, false});
+  const TriMesh strip = joined_in_cell(wavy_strip(6.0, 3.0), lattice);
+  const CrystalOptions on_surface = {.target_edge_length = 0.25, .effort = Effort::quick};
+  CrystalOptions in_space = on_surface;
+  in_space.rest = NetRest::in_space;
+  for (const RemeshMethod& method :
+       {RemeshMethod(RemeshOptions{}), RemeshMethod(on_surface), RemeshMethod(in_space)}) {
+    const TriMesh net = remesh_by(strip, method, 0.25).mesh;
+    const MeshQuality quality = measure_quality(net);
+    EXPECT_EQ(quality.boundary_loops, 2);
+    EXPECT_EQ(quality.euler_characteristic, 0);
+    EXPECT_EQ(quality.self_intersections, 0);
+    EXPECT_NEAR(quality.edge_length.mean, 0.25, 0.02);
+    for (const auto v : net.vertices()) {
+      if (!v.is_boundary()) continue;
+      const double y = net.point(v).y();
+      EXPECT_LT(std::min(std::abs(y), std::abs(y - 3.0)), 0.25) << v.idx();
+    }
+  }
+}
+
+TEST(PeriodicSurface, FollowsCreasesAcrossTheCell) {
+  // A roof whose ridge and valley run along y.
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  constexpr int n = 24;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      points.emplace_back(6.0 * i / n, 6.0 * j / n, 0.25 * std::min(i, n - i));
+      if (i == n || j == n) continue;
+      const int a = j * (n + 1) + i;
+      triangles.push_back({a, a + 1, a + n + 2});
+      triangles.push_back({a, a + n + 2, a + n + 1});
+    }
+  }
+  const Lattice lattice(Eigen::Vector3d(6.0, 6.0, 20.0).asDiagonal(), {true, true, false});
+  const TriMesh roof = joined_in_cell(make_mesh(points, triangles), lattice);
+  const double area = 2.0 * std::hypot(3.0, 3.0) * 6.0;
+  ASSERT_NEAR(surface_area(roof), area, 1e-9);
+  const TriMesh net =
+      remesh(roof, {.target_edge_length = 0.3, .iterations = 10, .feature_angle = 0.7}).mesh;
+  // Faces that bridge a crease would be shorter.
+  EXPECT_NEAR(surface_area(net), area, 1e-6 * area);
 }
 
 TEST(JoinedInCell, TakesClosedSurfacesThatKeepClearOfTheirImages) {

@@ -58,10 +58,12 @@ std::optional<CellReport> cell_report(const BuildResult& result) {
   if (!atoms.box.is_periodic()) return std::nullopt;
   constexpr double grams_per_cubic_cm = 1.66053907;  // of an atomic mass unit per Å³
   constexpr double carbon_mass = 12.011;
-  CellReport report{.cell = dual::cell_angles(atoms.box.cell),
-                    .area = remesh::surface_area(result.shell.surface.mesh),
-                    .density = std::nullopt,
-                    .genus = result.quality.components - result.quality.euler_characteristic / 2};
+  CellReport report{
+      .cell = dual::cell_angles(atoms.box.cell),
+      .area = remesh::surface_area(result.shell.surface.mesh),
+      .density = std::nullopt,
+      .genus = result.quality.components -
+               (result.quality.euler_characteristic + result.quality.boundary_loops) / 2};
   if (std::ranges::all_of(atoms.box.periodic, [](bool along) { return along; })) {
     report.density = grams_per_cubic_cm * carbon_mass * static_cast<double>(atoms.size()) /
                      std::abs(atoms.box.cell.determinant());

@@ -42,7 +42,10 @@ void repair(const remesh::TriangleSoup& soup, const InspectOptions& options, Ins
   };
   try {
     remesh::RepairResult repaired = remesh::repair(soup, mending, result.diagnosis);
-    result.mesh = std::move(repaired.mesh);
+    Surface joined = in_cell({.mesh = std::move(repaired.mesh)}, options.cell);
+    result.mesh = std::move(joined.mesh);
+    result.reading_notes.insert(result.reading_notes.end(), joined.notes.begin(),
+                                joined.notes.end());
     result.repair_notes.assign(
         repaired.notes.begin() + static_cast<std::ptrdiff_t>(soup.notes.size()),
         repaired.notes.end());

@@ -18,12 +18,16 @@ RemeshedSurface remesh_surface(const remesh::TriangleSoup& soup,
                                const RemeshSurfaceOptions& options) {
   remesh::RepairOptions repair = options.repair;
   repair.edge_length_on = [&](const remesh::TriMesh&) { return options.target_edge_length; };
-  remesh::RepairResult input = remesh::repair(soup, repair);
+  remesh::RepairResult repaired = remesh::repair(soup, repair);
+  Surface input = in_cell({.mesh = std::move(repaired.mesh),
+                           .notes = std::move(repaired.notes),
+                           .wrap_offset = repaired.offset},
+                          options.cell);
   begin(options, RemeshStep::remesh);
   RemeshedSurface result = {
       .net = remesh::remesh_by(input.mesh, options.method, options.target_edge_length),
       .notes = std::move(input.notes),
-      .wrap_offset = input.offset,
+      .wrap_offset = input.wrap_offset,
       .target_edge_length = options.target_edge_length};
   begin(options, RemeshStep::measure);
   result.quality = remesh::measure_quality(result.net.mesh);

@@ -235,7 +235,19 @@ Surface in_cell(Surface surface, const CellOptions& cell) {
   if (cell.lattice && !cell.lattice->is_periodic()) {
     throw remesh::InvalidOption("a box belongs to a formula; a mesh takes a cell");
   }
-  if (cell.lattice) surface.mesh = remesh::joined_in_cell(std::move(surface.mesh), *cell.lattice);
+  if (cell.lattice) {
+    const bool is_named = cell.periodic != remesh::Lattice::Periodic{};
+    const remesh::Lattice lattice(cell.lattice->cell(),
+                                  is_named ? cell.periodic : cell.lattice->periodic());
+    surface.mesh = remesh::joined_in_cell(std::move(surface.mesh), lattice);
+    const auto open =
+        std::ranges::count_if(surface.mesh.edges(), [](const auto e) { return e.is_boundary(); });
+    if (open > 0) {
+      surface.notes.push_back(std::to_string(open) +
+                              " sides of triangles have no partner in the cell: the surface has an "
+                              "open edge there");
+    }
+  }
   surface.mesh = remesh::repeated(surface.mesh, cell.supercell);
   return surface;
 }
@@ -283,10 +295,14 @@ Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
   }
   const bool is_volume =
       !is_built_in(source) && !source.starts_with(formula_prefix) && remesh::is_volume_file(source);
-  if (!is_volume && (cell.raw || cell.periodic != remesh::Lattice::Periodic{})) {
+  const bool is_mesh = !is_volume && !is_built_in(source) && !source.starts_with(formula_prefix);
+  if (!is_volume && cell.raw) {
+    throw remesh::InvalidOption(source + " is no volume, which --raw belongs to");
+  }
+  if (!is_volume && !(is_mesh && cell.lattice) && cell.periodic != remesh::Lattice::Periodic{}) {
     throw remesh::InvalidOption(source +
-                                " is no volume, which --raw and --periodic belong to; the "
-                                "cell of a mesh is given by --cell");
+                                " is neither a volume nor a mesh with a cell, which --periodic "
+                                "belongs to; the cell of a mesh is given by --cell");
   }
   if (is_built_in(source)) {
     if (cell.lattice) {

@@ -40,24 +40,14 @@ void check_options(const TriMesh& mesh, const RemeshOptions& options) {
   }
 }
 
-void check_lattice(const TriMesh& mesh, const RemeshOptions& options) {
+void check_lattice(const TriMesh& mesh, double target) {
   if (!mesh.lattice.is_periodic()) return;
   const double largest = longest_edge_in(mesh.lattice);
-  if (options.target_edge_length > largest) {
-    throw InvalidOption(concat("remesh: a target edge length of ", options.target_edge_length,
-                               " is too large for a lattice whose shortest translation is ",
-                               mesh.lattice.shortest(), "; use at most ", largest,
-                               ", or a supercell"));
-  }
-  for (const auto e : mesh.edges()) {
-    if (e.is_boundary()) {
-      throw InvalidMesh(concat("remesh: edge ", e.idx(),
-                               " lies on an open boundary of a periodic surface; close it"));
-    }
-  }
-  if (options.feature_angle) {
-    throw InvalidOption("remesh: creases of periodic surfaces are not followed; set none");
-  }
+  if (target <= largest) return;
+  throw InvalidOption(concat("remesh: a target edge length of ", target,
+                             " is too large for a lattice whose shortest translation is ",
+                             mesh.lattice.shortest(), "; use at most ", largest,
+                             ", or a supercell"));
 }
 
 void check_that_target_fits(const TriMesh& mesh, double target) {
@@ -98,7 +88,7 @@ void check_that_target_fits(const TriMesh& mesh, double target) {
 
 void check_remeshable(const TriMesh& mesh, const RemeshOptions& options) {
   check_options(mesh, options);
-  check_lattice(mesh, options);
+  check_lattice(mesh, options.target_edge_length);
   check_that_target_fits(mesh, options.target_edge_length);
 }
 

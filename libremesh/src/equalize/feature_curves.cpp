@@ -19,9 +19,11 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-Eigen::Vector3d nearest_on_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                                   const Eigen::Vector3d& b) {
-  const Eigen::Vector3d ab = b - a;
+/// @return  Of its images, in a lattice, that beside p.
+Eigen::Vector3d nearest_on_segment(const Lattice& lattice, const Eigen::Vector3d& p,
+                                   const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = lattice.near(p, from);
+  const Eigen::Vector3d ab = to - from;
   const double squared = ab.squaredNorm();
   if (squared == 0.0) return a;
   return a + std::clamp((p - a).dot(ab) / squared, 0.0, 1.0) * ab;
@@ -42,7 +44,8 @@ Creases find_creases(const TriMesh& surface, std::optional<double> feature_angle
 }
 
 FeatureCurves::FeatureCurves(const TriMesh& surface, const Creases& creases)
-    : is_feature_(creases),
+    : lattice_(surface.lattice),
+      is_feature_(creases),
       curve_of_(surface.n_edges()),
       kinds_(surface.n_vertices(), FeatureKind::none),
       places_(surface.n_vertices()) {
@@ -87,7 +90,8 @@ void FeatureCurves::trace(const TriMesh& surface, HalfedgeHandle first) {
   while (h.is_valid()) {
     curve_of_[index(surface.edge_handle(h))] = curve;
     const VertexHandle v = surface.to_vertex_handle(h);
-    polyline.points.push_back(surface.point(v));
+    const Eigen::Vector3d& last = polyline.points.back();
+    polyline.points.push_back(surface.lattice.near(last, surface.point(v)));
     h = HalfedgeHandle();
     if (kinds_[index(v)] == FeatureKind::corner) break;
     const int segment = static_cast<int>(polyline.points.size()) - 2;
@@ -104,12 +108,13 @@ void FeatureCurves::trace(const TriMesh& surface, HalfedgeHandle first) {
 CurvePoint FeatureCurves::nearest(const Eigen::Vector3d& p, const CurvePoint& near) const {
   const Curve& curve = curves_[static_cast<std::size_t>(near.curve)];
   const int segments = static_cast<int>(curve.points.size()) - 1;
-  const double reach = 2.0 * (p - near.position).norm();
+  const double reach = 2.0 * lattice_.nearest(p - near.position).norm();
   CurvePoint best = near;
   double best_distance = std::numeric_limits<double>::max();
   const auto try_segment = [&](int s) {
     const auto i = static_cast<std::size_t>(s);
-    const Eigen::Vector3d foot = nearest_on_segment(p, curve.points[i], curve.points[i + 1]);
+    const Eigen::Vector3d foot =
+        nearest_on_segment(lattice_, p, curve.points[i], curve.points[i + 1]);
     const double distance = (p - foot).norm();
     if (distance < best_distance) {
       best = {near.curve, s, foot};
@@ -137,7 +142,8 @@ CurvePoint FeatureCurves::nearest(const Eigen::Vector3d& p, int curve) const {
   CurvePoint best;
   double best_distance = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i + 1 < whole.points.size(); ++i) {
-    const Eigen::Vector3d foot = nearest_on_segment(p, whole.points[i], whole.points[i + 1]);
+    const Eigen::Vector3d foot =
+        nearest_on_segment(lattice_, p, whole.points[i], whole.points[i + 1]);
     if ((p - foot).norm() >= best_distance) continue;
     best = {curve, static_cast<int>(i), foot};
     best_distance = (p - foot).norm();

@@ -45,10 +45,11 @@ class FeatureCurves {
   /// Where a vertex of kind `curve` sits.
   [[nodiscard]] const CurvePoint& at(VertexHandle v) const { return places_[index(v)]; }
 
-  /// The point of near's curve that is nearest to p, sought along the curve as far as p has moved.
+  /// The point of near's curve that is nearest to p, sought along the curve as far as p has moved;
+  /// of its images, in a lattice, that beside p.
   [[nodiscard]] CurvePoint nearest(const Eigen::Vector3d& p, const CurvePoint& near) const;
 
-  /// The point of a whole curve nearest to p.
+  /// The same of a whole curve.
   [[nodiscard]] CurvePoint nearest(const Eigen::Vector3d& p, int curve) const;
 
   /// Unit tangent of the curve there.
@@ -68,6 +69,7 @@ class FeatureCurves {
   void trace_curves(const TriMesh& surface);
   void trace(const TriMesh& surface, HalfedgeHandle first);
 
+  Lattice lattice_;
   std::vector<bool> is_feature_;
   std::vector<std::optional<int>> curve_of_;
   std::vector<FeatureKind> kinds_;

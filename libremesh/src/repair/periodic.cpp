@@ -1,6 +1,7 @@
 #include "trivalent/remesh/periodic.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,9 +78,68 @@ double distance_to_images(const TriMesh& mesh, VertexHandle v) {
   return nearest;
 }
 
+[[noreturn]] void throw_no_partner(const TriMesh& mesh, VertexHandle v) {
+  const Eigen::Vector3d& p = mesh.point(v);
+  const double distance = distance_to_images(mesh, v);
+  const std::string nearest =
+      std::isfinite(distance) ? concat("the nearest image of another one is ", distance, " away")
+                              : "no image of another one is near";
+  throw InvalidMesh(concat("joined_in_cell: the boundary vertex at (", p.x(), ", ", p.y(), ", ",
+                           p.z(), ") has no partner: ", nearest,
+                           "; give the cell that the mesh fits, or, if it has an edge there, make "
+                           "fewer directions periodic"));
+}
+
+/// Finds the vertices at the ends of a mesh that is about one cell long: those that have no
+/// neighbor beyond.
+class CellEnds {
+ public:
+  CellEnds(const TriMesh& mesh, double tolerance)
+      : inverse_(periodic_part(mesh.lattice).completeOrthogonalDecomposition().pseudoInverse()),
+        low_(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity())),
+        high_(-low_) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      margin_[row] = 2.0 * tolerance * inverse_.row(row).norm();
+    }
+    for (const auto v : mesh.vertices()) {
+      const Eigen::Vector3d place = inverse_ * mesh.point(v);
+      low_ = low_.cwiseMin(place);
+      high_ = high_.cwiseMax(place);
+    }
+  }
+
+  [[nodiscard]] bool has(const Eigen::Vector3d& p) const {
+    const Eigen::Array3d place = inverse_ * p;
+    const Eigen::Array3d extent = high_ - low_;
+    const auto is_long = (extent - 1.0).abs() <= margin_;
+    const auto is_at_end = place - low_.array() <= margin_ || high_.array() - place <= margin_;
+    return (is_long && is_at_end).any();
+  }
+
+ private:
+  static Eigen::Matrix3d periodic_part(const Lattice& lattice) {
+    Eigen::Matrix3d vectors = lattice.cell();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!lattice.periodic()[k]) vectors.col(static_cast<Eigen::Index>(k)).setZero();
+    }
+    return vectors;
+  }
+
+  Eigen::Matrix3d inverse_;  // from places to cell vectors
+  Eigen::Vector3d low_;
+  Eigen::Vector3d high_;
+  Eigen::Array3d margin_ = Eigen::Array3d::Zero();
+};
+
 /// For every vertex the one that stands for it and its images.
 std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance) {
+  const Lattice::Periodic& periodic = mesh.lattice.periodic();
+  const bool may_have_edges = periodic != Lattice::Periodic{true, true, true};
+  const CellEnds ends(mesh, tolerance);
   DisjointSets sets(mesh.n_vertices());
+  Lattice::Periodic is_joined = {};  // along each cell vector
+  VertexHandle alone;
   const PointGrid grid(mesh, 4.0 * tolerance, tolerance);
   for (const auto v : mesh.vertices()) {
     if (!v.is_boundary()) continue;
@@ -91,14 +151,14 @@ std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance)
       if (!mesh.is_boundary(w) || !leads_elsewhere(mesh.lattice, translation)) return;
       has_partner = true;
       sets.join(index(v), index(w));
+      const Lattice::Image image = mesh.lattice.image_of(translation);
+      for (std::size_t k = 0; k < 3; ++k) is_joined[k] = is_joined[k] || image[k] != 0;
     });
     if (has_partner) continue;
-    const Eigen::Vector3d& p = mesh.point(v);
-    throw InvalidMesh(concat("joined_in_cell: the boundary vertex at (", p.x(), ", ", p.y(), ", ",
-                             p.z(), ") has no partner: the nearest image of another one is ",
-                             distance_to_images(mesh, v),
-                             " away; give the cell that the mesh fits"));
+    if (!may_have_edges || ends.has(mesh.point(v))) throw_no_partner(mesh, v);
+    if (!alone.is_valid()) alone = v;
   }
+  if (alone.is_valid() && is_joined != periodic) throw_no_partner(mesh, alone);
   std::vector<VertexHandle> kept;
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
     kept.emplace_back(static_cast<int>(sets.find(i)));

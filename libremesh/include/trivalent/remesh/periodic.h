@@ -9,10 +9,11 @@ namespace trivalent::remesh {
 /// The periodic surface of which a free mesh shows one cell: joins boundary vertices that are
 /// images of each other. Edges that are long for the lattice are halved first.
 ///
-/// @param mesh  Its open boundaries lie where it goes on in the next cell.
+/// @param mesh  Its open boundaries lie where it goes on in the next cell. If a direction is not
+///   periodic, others may be edges, which stay open.
 /// @throws InvalidMesh if a boundary vertex has no partner (the message says where, and how far off
-///   the nearest image of another one is), if the joined faces are no surface, or if they meet
-///   their own images.
+///   the nearest image of another one is) and is no such edge, if the joined faces are no surface,
+///   or if they meet their own images.
 [[nodiscard]] TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice);
 
 /// A supercell: the surface in a cell so many times as long.

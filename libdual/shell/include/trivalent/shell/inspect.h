@@ -11,6 +11,7 @@
 #include "trivalent/remesh/mesh_repair.h"
 #include "trivalent/remesh/surface_shape.h"
 #include "trivalent/shell/plan.h"
+#include "trivalent/shell/surface_source.h"
 
 namespace trivalent::shell {
 
@@ -29,6 +30,7 @@ inline constexpr double inspected_feature_angle = 40.0;
 struct InspectOptions {
   dual::ShellOptions shell = {};      ///< the planned shell
   remesh::RepairOptions repair = {};  ///< the planned repair; its edge_length_on is set by inspect
+  CellOptions cell = {};              ///< of which the file shows one
 };
 
 /// Everything known about a file with a surface; lengths in its own unit.

@@ -9,6 +9,7 @@
 #include "trivalent/remesh/mesh_repair.h"
 #include "trivalent/remesh/polygon_soup.h"
 #include "trivalent/shell/json.h"
+#include "trivalent/shell/surface_source.h"
 #include "trivalent/view/table_row.h"
 
 namespace trivalent::shell {
@@ -20,6 +21,7 @@ struct RemeshSurfaceOptions {
   double target_edge_length = 0.0;    ///< m, in the surface's unit, > 0; must be set by the caller
   remesh::RemeshMethod method = {};   ///< its target_edge_length is set by remesh_surface()
   remesh::RepairOptions repair = {};  ///< its edge_length_on is set by remesh_surface()
+  CellOptions cell = {};              ///< of which the surface shows one
   std::function<void(RemeshStep)> on_step = {};  ///< before each step; may change the method
 };
 
@@ -36,9 +38,9 @@ struct RemeshedSurface {
   [[nodiscard]] std::vector<dual::TableRow> rows() const;
 };
 
-/// Repairs a surface, remeshes it, and measures the result.
+/// Repairs a surface, joins it in its cell if there is one, remeshes it, and measures the result.
 ///
-/// @throws remesh::InvalidMesh, remesh::InvalidOption as repair() and remesh_by().
+/// @throws remesh::InvalidMesh, remesh::InvalidOption as repair(), in_cell() and remesh_by().
 [[nodiscard]] RemeshedSurface remesh_surface(const remesh::TriangleSoup& soup,
                                              const RemeshSurfaceOptions& options);
 

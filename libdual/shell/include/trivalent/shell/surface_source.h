@@ -52,8 +52,10 @@ struct CellOptions {
   /// Of which a mesh file shows one cell, or under which a formula repeats. For a formula without
   /// periodic directions, the box around its closed surface.
   std::optional<remesh::Lattice> lattice = {};
-  double level = 0.0;                         ///< value of a formula or volume on the surface
-  remesh::Lattice::Periodic periodic = {};    ///< axes along which a volume repeats
+  double level = 0.0;  ///< value of a formula or volume on the surface
+  /// Axes along which a volume repeats, or cell vectors along which a mesh does; none: a volume
+  /// does not, a mesh along those of the lattice.
+  remesh::Lattice::Periodic periodic = {};
   std::optional<remesh::RawLayout> raw = {};  ///< what a .raw file holds
   std::array<int, 3> supercell = {1, 1, 1};   ///< cells along each vector, >= 1
 };
