@@ -6,6 +6,18 @@
 
 namespace trivalent::apps {
 
+namespace {
+
+remesh::Lattice::Periodic directions_of_cell(const std::string& text) {
+  const remesh::Lattice::Periodic periodic = periodic_directions(text);
+  if (periodic == remesh::Lattice::Periodic{}) {
+    throw UsageError("--periodic none leaves no use for --cell; give one or the other");
+  }
+  return periodic;
+}
+
+}  // namespace
+
 void add_mesh_cell_options(po::options_description& options) {
   options.add_options()  //
       ("cell", po::value<std::string>(),
@@ -25,7 +37,7 @@ shell::CellOptions mesh_cell_options(const Session& session) {
   }
   if (const auto periodic = session.find<std::string>("periodic")) {
     if (!options.lattice) throw UsageError("--periodic belongs to --cell");
-    options.periodic = periodic_directions(*periodic);
+    options.periodic = directions_of_cell(*periodic);
   }
   return options;
 }
@@ -71,7 +83,7 @@ shell::CellOptions cell_options(const Session& session) {
   if (box) options.lattice = remesh::Lattice(shell::parse_cell(*box), {false, false, false});
   options.level = session.get<double>("level");
   if (const auto periodic = session.find<std::string>("periodic")) {
-    options.periodic = periodic_directions(*periodic);
+    options.periodic = cell ? directions_of_cell(*periodic) : periodic_directions(*periodic);
   }
   if (const auto raw = session.find<std::string>("raw")) {
     options.raw = shell::parse_raw_layout(*raw);

@@ -54,6 +54,7 @@ TEST_F(RemeshCommand, JoinsAMeshOfOneCell) {
   expect_failure(1, "no partner", "remesh p.off net.off --edge 0.08 --cell 1.1");
   expect_failure(2, "--periodic belongs to --cell",
                  "remesh p.off net.off --edge 0.08 --periodic x");
+  expect_failure(2, "--periodic none", "remesh p.off net.off --edge 0.08 --cell 1 --periodic none");
 }
 
 TEST_F(RemeshCommand, RefusesOptionsOfTheOtherMethod) {

@@ -219,6 +219,14 @@ TEST(JoinedInCell, RefusesEdgesWhereTheCellDoesNotFit) {
         box_lattice(6.0, {false, true, false}), box_lattice(6.0, {true, true, false})}) {
     EXPECT_THROW(static_cast<void>(joined_in_cell(strip, lattice)), InvalidMesh);
   }
+  // One end bulges: nothing but its corners has a partner.
+  TriMesh bulging = strip;
+  for (const auto v : bulging.vertices()) {
+    Eigen::Vector3d& p = bulging.point(v);
+    p.x() += 0.01 * p.x() * p.y() * (3.0 - p.y());
+  }
+  EXPECT_THROW(static_cast<void>(joined_in_cell(bulging, box_lattice(6.0, {true, false, false}))),
+               InvalidMesh);
   // At one end a vertex too many.
   TriMesh slit = strip;
   for (const auto e : slit.edges()) {

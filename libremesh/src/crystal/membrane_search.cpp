@@ -118,7 +118,9 @@ class MembraneSearch {
     int wanted = wanted_faces(level);
     // The coarse net came near to the number without a defect. Whoever changes it now leaves pairs
     // of 5-7 of about 3 eV each; a cell of a crystal has to have its number.
-    const bool is_near = std::abs(faces - wanted) <= free_count * wanted;
+    const double excess = 0.5 * (faces - wanted);  // vertices
+    const auto vertices = static_cast<double>(net_.mesh.n_vertices());
+    const bool is_near = std::abs(excess) <= free_count * (vertices - excess);
     if (is_near && !surface_.lattice.is_periodic()) wanted = faces;
     Membrane membrane = membrane_at(level);
     const bool is_settling = !is_to_order && wanted == faces;

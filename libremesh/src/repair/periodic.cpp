@@ -166,6 +166,17 @@ std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance)
   return kept;
 }
 
+TriMesh surface_of(const std::vector<Eigen::Vector3d>& points,
+                   const std::vector<std::array<int, 3>>& triangles) {
+  try {
+    return make_mesh(points, triangles);
+  } catch (const InvalidMesh& error) {
+    throw InvalidMesh(concat("joined_in_cell: the joined faces are no surface (", error.what(),
+                             "); the ends of the mesh must match along their whole length, in the "
+                             "cell that it fits"));
+  }
+}
+
 }  // namespace
 
 TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
@@ -194,7 +205,7 @@ TriMesh joined_in_cell(TriMesh mesh, const Lattice& lattice) {
     for (const auto v : mesh.fv_range(f)) corners[k++] = numbers[index(kept[index(v)])];
     triangles.push_back(corners);
   }
-  TriMesh joined = make_mesh(points, triangles);
+  TriMesh joined = surface_of(points, triangles);
   const std::size_t before = find_crossing_faces(joined).count;
   joined.lattice = lattice;
   const CrossingFaces crossing = find_crossing_faces(joined, 1);
