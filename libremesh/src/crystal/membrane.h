@@ -55,9 +55,13 @@ struct Membrane {
   /// [eV] of a vertex with valence - 6 = deviation. Beyond one, each step costs as much as no pair.
   [[nodiscard]] double core_energy(int deviation) const;
   /// The same of a vertex on a boundary with valence - 4 = deviation: a step in the edge of the
-  /// net, which costs nothing. As deviations have a constant sum, those of the edge are counted
-  /// at half the difference of a pentagon from a heptagon.
+  /// net. Topology fixes the sum of all deviations, so that a step takes the place of a pentagon
+  /// or heptagon. It is worth half of what these differ by: then neither is preferred to the other.
   [[nodiscard]] double boundary_energy(int deviation) const;
+  /// Either of the two.
+  [[nodiscard]] double vertex_energy(int deviation, bool is_on_boundary) const {
+    return is_on_boundary ? boundary_energy(deviation) : core_energy(deviation);
+  }
   /// Whether two vertices of these valences - 6 are a pentagon and a heptagon.
   [[nodiscard]] static bool is_pair(int deviation_a, int deviation_b) {
     return deviation_a * deviation_b == -1;

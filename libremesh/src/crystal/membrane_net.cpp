@@ -268,14 +268,14 @@ double MembraneNet::elastic_energy() {
 
 double MembraneNet::core_energy() const {
   const auto deviation = [](const auto& v) {
-    return v.is_boundary() ? 0 : static_cast<int>(v.valence()) - 6;
+    return static_cast<int>(v.valence()) - (v.is_boundary() ? 4 : 6);
   };
   double sum = 0.0;
   for (const auto v : constrained_.mesh.vertices()) {
-    sum += v.is_boundary() ? membrane_.boundary_energy(static_cast<int>(v.valence()) - 4)
-                           : membrane_.core_energy(deviation(v));
+    sum += membrane_.vertex_energy(deviation(v), v.is_boundary());
   }
   for (const auto e : constrained_.mesh.edges()) {
+    if (e.v0().is_boundary() || e.v1().is_boundary()) continue;
     if (Membrane::is_pair(deviation(e.v0()), deviation(e.v1()))) sum += membrane_.pair;
   }
   return sum;

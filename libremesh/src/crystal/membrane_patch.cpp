@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "crystal/membrane_preconditioner.h"
@@ -118,21 +119,21 @@ bool MembranePatch::split(int a, int b) {
 }
 
 void MembranePatch::hold_between(int n, int a, int b) {
-  // The tethers of a that lie beside one of b; at corners there are more.
   const auto of = [&](int i) {
     std::vector<Tether<float>> tethers;
-    for (const Tether<float>& t : feature_tethers_) {
-      if (t.i == i) tethers.push_back(t);
-    }
+    std::ranges::copy_if(feature_tethers_, std::back_inserter(tethers),
+                         [i](const Tether<float>& t) { return t.i == i; });
     return tethers;
   };
-  const std::vector<Tether<float>> of_a = of(a);
-  const std::vector<Tether<float>> of_b = of(b);
-  if (of_a.size() != of_b.size()) return;
-  for (std::size_t k = 0; k < of_a.size(); ++k) {
-    feature_tethers_.push_back({n, 0.5F * (of_a[k].stiffness + of_b[k].stiffness),
-                                0.5F * (of_a[k].foot + beside(a, of_b[k].foot)),
-                                (of_a[k].normal + of_b[k].normal).normalized()});
+  // A corner is held in more directions than the curve beside it.
+  std::vector<Tether<float>> tethers = of(a);
+  if (std::vector<Tether<float>> others = of(b); others.size() < tethers.size()) {
+    tethers = std::move(others);
+  }
+  for (Tether<float>& t : tethers) {
+    t.i = n;
+    t.foot = holds_[at(n)].foot;
+    feature_tethers_.push_back(t);
   }
 }
 
@@ -231,11 +232,8 @@ double MembranePatch::core_energy() const {
   double sum = 0.0;
   for (int i = 0; i < topology_.inner_count(); ++i) {
     if (!topology_.is_inside(i)) continue;
-    if (topology_.is_open(i)) {
-      sum += membrane_->boundary_energy(topology_.deviation(i));
-    } else {
-      sum += membrane_->core_energy(topology_.deviation(i)) + pair_energy(i);
-    }
+    sum += membrane_->vertex_energy(topology_.deviation(i), topology_.is_open(i));
+    if (!topology_.is_open(i)) sum += pair_energy(i);
   }
   return sum;
 }
