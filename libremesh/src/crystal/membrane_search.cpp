@@ -306,10 +306,10 @@ class MembraneSearch {
     for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
   }
 
-  /// Of the net that is handed out.
+  /// Of the net that is handed out. An open sheet that nothing holds would flatten.
   [[nodiscard]] Membrane final_membrane() const {
     Membrane membrane = membrane_at(levels.back());
-    if (!is_held(options_)) membrane.tether = membrane.cover = 0.0;
+    if (!is_held(options_) && !is_open_) membrane.tether = membrane.cover = 0.0;
     return membrane;
   }
 

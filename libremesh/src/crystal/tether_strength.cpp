@@ -23,6 +23,10 @@ double mean_radius(const TriMesh& surface, double area) {
   return std::sqrt(4.0 * area / bending);
 }
 
+bool has_boundary(const TriMesh& mesh) {
+  return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
+}
+
 }  // namespace
 
 TetherStrength tether_of(const CrystalOptions& options) {
@@ -51,9 +55,9 @@ double tether_factor(const TriMesh& surface, double area) {
   const double radius = mean_radius(surface, area);
   // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
   // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000
-  // atoms an exponent of 4 leaves fewer of them than 3.
+  // atoms an exponent of 4 leaves fewer of them than 3. An open sheet that nothing holds flattens.
   constexpr double large = 40.0;  // [Å]
-  if (radius > large) return std::pow(large / radius, 4.0);
+  if (radius > large) return has_boundary(surface) ? 1.0 : std::pow(large / radius, 4.0);
   // A net that may leave a small shape by several Å takes another one, with defects of its own:
   // arms of a junction become a pyramid. Spheres of up to 960 atoms, tori, capsules, P and gyroid
   // have lower energies when they are held, a sphere of 2,160 atoms when it is not. Rough shapes
