@@ -24,7 +24,9 @@ std::vector<MembraneNet::Sample> samples_of(const TriMesh& surface, const Surfac
   double waiting = 0.5;
   for (const auto f : surface.faces()) {
     const std::array<Eigen::Vector3d, 3> corner = corners_of(surface, f);
-    for (waiting += face_area(surface, f) / area_each; waiting >= 1.0; waiting -= 1.0) {
+    waiting += face_area(surface, f) / area_each;
+    while (waiting >= 1.0) {
+      waiting -= 1.0;
       const auto n = static_cast<double>(samples.size());
       double s = n * first_step - std::floor(n * first_step);
       double t = n * second_step - std::floor(n * second_step);

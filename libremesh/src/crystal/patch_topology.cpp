@@ -1,6 +1,7 @@
 #include "crystal/patch_topology.h"
 
 #include <algorithm>
+#include <span>
 
 #include "mesh/geometry.h"
 
@@ -189,18 +190,22 @@ bool PatchTopology::collapse(int removed, int kept) {
   return true;
 }
 
+bool PatchTopology::can_collapse_on_boundary(int removed, int kept, int third) const {
+  const int n = valence_[at(removed)];
+  if (is_corner_[at(removed)] || !can_lose_edge(third)) return false;
+  if (n < min_boundary_valence || valence_[at(kept)] < min_boundary_valence) return false;
+  if (valence_[at(kept)] + n - 3 > max_valence) return false;
+  const std::span around(ring_[at(removed)].begin(), at(n));
+  return std::ranges::all_of(
+      around, [&](int u) { return is_inside(u) && (u == third || !is_neighbor(kept, u)); });
+}
+
 bool PatchTopology::collapse_on_boundary(int removed, int kept) {
   const int c = next_in_ring(removed, kept);
   const int d = previous_in_ring(removed, kept);
-  if ((c < 0) == (d < 0) || is_corner_[at(removed)]) return false;
+  if ((c < 0) == (d < 0)) return false;  // an edge inside
   const int third = c < 0 ? d : c;
-  const int n = valence_[at(removed)];
-  if (n < min_boundary_valence || valence_[at(kept)] < min_boundary_valence) return false;
-  for (int k = 0; k < n; ++k) {
-    const int u = ring_[at(removed)][at(k)];
-    if (!is_inside(u) || (u != third && is_neighbor(kept, u))) return false;
-  }
-  if (!can_lose_edge(third) || valence_[at(kept)] + n - 3 > max_valence) return false;
+  if (!can_collapse_on_boundary(removed, kept, third)) return false;
   remove_from_ring(third, removed);
   remove_from_ring(kept, removed);
   // Away from the collapsed edge, on both sides of it.

@@ -126,6 +126,8 @@ class PatchTopology {
   void insert_after(int v, int neighbor, int inserted);
   void replace_in_ring(int v, int neighbor, int by);
   [[nodiscard]] bool can_lose_edge(int v) const;
+  /// @param third  The corner of the only face at the edge.
+  [[nodiscard]] bool can_collapse_on_boundary(int removed, int kept, int third) const;
   bool collapse_on_boundary(int removed, int kept);
   bool split_on_boundary(int a, int b);
   [[nodiscard]] int gain_of_flip(int a, int b, int c, int d) const;

@@ -22,7 +22,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 /// @return  Of its images, in a lattice, that beside p.
 Eigen::Vector3d nearest_on_segment(const Lattice& lattice, const Eigen::Vector3d& p,
                                    const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  const Eigen::Vector3d a = lattice.near(p, from);
+  Eigen::Vector3d a = lattice.near(p, from);
   const Eigen::Vector3d ab = to - from;
   const double squared = ab.squaredNorm();
   if (squared == 0.0) return a;

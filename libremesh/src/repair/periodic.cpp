@@ -132,14 +132,15 @@ class CellEnds {
   Eigen::Array3d margin_ = Eigen::Array3d::Zero();
 };
 
-/// For every vertex the one that stands for it and its images.
-std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance) {
-  const Lattice::Periodic& periodic = mesh.lattice.periodic();
-  const bool may_have_edges = periodic != Lattice::Periodic{true, true, true};
-  const CellEnds ends(mesh, tolerance);
-  DisjointSets sets(mesh.n_vertices());
-  Lattice::Periodic is_joined = {};  // along each cell vector
-  VertexHandle alone;
+/// Boundary vertices that are images of each other.
+struct Partners {
+  DisjointSets sets;
+  Lattice::Periodic is_joined = {};        ///< along each cell vector
+  std::vector<VertexHandle> without = {};  ///< boundary vertices that have none
+};
+
+Partners find_partners(const TriMesh& mesh, double tolerance) {
+  Partners partners = {.sets = DisjointSets(mesh.n_vertices())};
   const PointGrid grid(mesh, 4.0 * tolerance, tolerance);
   for (const auto v : mesh.vertices()) {
     if (!v.is_boundary()) continue;
@@ -150,18 +151,36 @@ std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance)
       const Eigen::Vector3d translation = mesh.point(v) + separation - mesh.point(w);
       if (!mesh.is_boundary(w) || !leads_elsewhere(mesh.lattice, translation)) return;
       has_partner = true;
-      sets.join(index(v), index(w));
+      partners.sets.join(index(v), index(w));
       const Lattice::Image image = mesh.lattice.image_of(translation);
-      for (std::size_t k = 0; k < 3; ++k) is_joined[k] = is_joined[k] || image[k] != 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        partners.is_joined[k] = partners.is_joined[k] || image[k] != 0;
+      }
     });
-    if (has_partner) continue;
-    if (!may_have_edges || ends.has(mesh.point(v))) throw_no_partner(mesh, v);
-    if (!alone.is_valid()) alone = v;
+    if (!has_partner) partners.without.push_back(v);
   }
-  if (alone.is_valid() && is_joined != periodic) throw_no_partner(mesh, alone);
+  return partners;
+}
+
+/// Refuses vertices without partner that cannot be on an open edge.
+void check_edges(const TriMesh& mesh, const Partners& partners, double tolerance) {
+  if (partners.without.empty()) return;
+  const Lattice::Periodic& periodic = mesh.lattice.periodic();
+  const bool may_have_edges = periodic != Lattice::Periodic{true, true, true};
+  const CellEnds ends(mesh, tolerance);
+  for (const VertexHandle v : partners.without) {
+    if (!may_have_edges || ends.has(mesh.point(v))) throw_no_partner(mesh, v);
+  }
+  if (partners.is_joined != periodic) throw_no_partner(mesh, partners.without.front());
+}
+
+/// For every vertex the one that stands for it and its images.
+std::vector<VertexHandle> representatives(const TriMesh& mesh, double tolerance) {
+  Partners partners = find_partners(mesh, tolerance);
+  check_edges(mesh, partners, tolerance);
   std::vector<VertexHandle> kept;
   for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
-    kept.emplace_back(static_cast<int>(sets.find(i)));
+    kept.emplace_back(static_cast<int>(partners.sets.find(i)));
   }
   return kept;
 }
