@@ -21,13 +21,13 @@ remesh::Lattice::Periodic directions_of_cell(const std::string& text) {
 void add_mesh_cell_options(po::options_description& options) {
   options.add_options()  //
       ("cell", po::value<std::string>(),
-       "a[,b,c[,alpha,beta,gamma]]: the periodic cell of which the mesh shows one; it is open "
-       "where "
-       "it goes on in the next; lengths in its unit, angles in degree, formulas allowed: 2*pi; or "
-       "the nine coordinates of the cell vectors")  //
+       "a[,b,c[,alpha,beta,gamma]]: the periodic cell; the mesh shows one and is open where it "
+       "goes "
+       "on in the next; lengths in its unit, angles in degree, formulas allowed: 2*pi; or the nine "
+       "coordinates of the cell vectors")  //
       ("periodic", po::value<std::string>(),
-       "cell vectors along which it repeats, as in xy; default: xyz. Along fewer, its edges may "
-       "stay open");
+       "cell vectors along which it repeats, as in xy; default: xyz; with fewer, other edges stay "
+       "open");
 }
 
 shell::CellOptions mesh_cell_options(const Session& session) {
@@ -56,9 +56,8 @@ void add_cell_options(po::options_description& options) {
        "value of the formula or volume on the surface; it is lower inside, but for a volume that "
        "is not periodic")  //
       ("periodic", po::value<std::string>(),
-       "axes along which a volume repeats, as in xyz or z; default: none. Of a mesh with --cell "
-       "the cell vectors along which it does; default: xyz. Along fewer, its edges may stay "
-       "open")  //
+       "axes along which a volume repeats, as in xyz or z; default: none. For a mesh with --cell: "
+       "cell vectors along which it repeats; default: xyz; with fewer, other edges stay open")  //
       ("raw", po::value<std::string>(),
        "nx,ny,nz,type[,spacing]: what a .raw volume holds, as in 64,64,64,uint16,0.5; the first "
        "axis runs fastest")  //

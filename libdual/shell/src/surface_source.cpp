@@ -293,9 +293,9 @@ Surface read_surface(const std::string& source, const dual::ShellOptions& shell,
                                 " is no surface but atoms already: relax, energy, view, "
                                 "lammps and the others take it in place of a file");
   }
-  const bool is_volume =
-      !is_built_in(source) && !source.starts_with(formula_prefix) && remesh::is_volume_file(source);
-  const bool is_mesh = !is_volume && !is_built_in(source) && !source.starts_with(formula_prefix);
+  const bool is_file = !is_built_in(source) && !source.starts_with(formula_prefix);
+  const bool is_volume = is_file && remesh::is_volume_file(source);
+  const bool is_mesh = is_file && !is_volume;
   if (!is_volume && cell.raw) {
     throw remesh::InvalidOption(source + " is no volume, which --raw belongs to");
   }

@@ -61,9 +61,9 @@ bool make_move(Patch& patch, const PatchTopology& topology, const DefectMove& mo
 /// Which vertices are tried in a round.
 struct SiteChoice {
   int rings;              ///< vertices up to so many edges from two sites are different ones
-  int min_deviation = 1;  ///< of the valence from 6
+  int min_deviation = 1;  ///< of the valence from 6, or 4 on a boundary
   std::uint64_t seed = 0;
-  bool on_boundaries = false;  ///< too
+  bool on_boundaries = false;  ///< vertices of open edges, too
 };
 
 /// Irregular vertices in random order, those left out whose patch would touch an earlier one.

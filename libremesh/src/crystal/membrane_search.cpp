@@ -15,6 +15,7 @@
 #include "crystal/membrane_annealing.h"
 #include "crystal/membrane_schedule.h"
 #include "crystal/tether_strength.h"
+#include "mesh/adjacency.h"
 #include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
@@ -42,8 +43,7 @@ class MembraneSearch {
         options_(options),
         watch_(watch),
         area_(surface_area(surface_)),
-        is_open_(
-            std::ranges::any_of(surface_.edges(), [](const auto e) { return e.is_boundary(); })),
+        is_open_(has_boundary(surface_)),
         tether_factor_(is_held(options) ? 1.0 : tether_factor(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}

@@ -145,6 +145,10 @@ bool PatchTopology::can_lose_edge(int v) const {
   return valence_[at(v)] > (open_[at(v)] ? min_boundary_valence : min_valence);
 }
 
+void PatchTopology::record(PatchChange::Kind kind, int from, int to) {
+  changes_.push_back({kind, static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to)});
+}
+
 bool PatchTopology::flip(int a, int b) {
   if (!is_inside(a) || !is_inside(b) || is_rigid(a, b)) return false;
   const int c = next_in_ring(a, b);
@@ -157,8 +161,7 @@ bool PatchTopology::flip(int a, int b) {
   remove_from_ring(b, a);
   insert_after(c, a, d);
   insert_after(d, b, c);
-  changes_.push_back(
-      {PatchChange::Kind::flip, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
+  record(PatchChange::Kind::flip, a, b);
   return true;
 }
 
@@ -185,8 +188,7 @@ bool PatchTopology::collapse(int removed, int kept) {
   }
   valence_[at(removed)] = 0;
   added_faces_ -= 2;
-  changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
-                      static_cast<std::uint8_t>(kept)});
+  record(PatchChange::Kind::collapse, removed, kept);
   return true;
 }
 
@@ -208,7 +210,7 @@ bool PatchTopology::collapse_on_boundary(int removed, int kept) {
   if (!can_collapse_on_boundary(removed, kept, third)) return false;
   remove_from_ring(third, removed);
   remove_from_ring(kept, removed);
-  // Away from the collapsed edge, on both sides of it.
+  // The other neighbors go to `kept`, from the collapsed face on.
   int last = third;
   for (int u = third;;) {
     u = d < 0 ? next_in_ring(removed, u) : previous_in_ring(removed, u);
@@ -219,8 +221,7 @@ bool PatchTopology::collapse_on_boundary(int removed, int kept) {
   }
   valence_[at(removed)] = 0;
   added_faces_ -= 1;
-  changes_.push_back({PatchChange::Kind::collapse, static_cast<std::uint8_t>(removed),
-                      static_cast<std::uint8_t>(kept)});
+  record(PatchChange::Kind::collapse, removed, kept);
   return true;
 }
 
@@ -239,8 +240,7 @@ bool PatchTopology::split_on_boundary(int a, int b) {
   replace_in_ring(b, a, n);
   insert_after(c, a, n);
   added_faces_ += 1;
-  changes_.push_back(
-      {PatchChange::Kind::split, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
+  record(PatchChange::Kind::split, a, b);
   return true;
 }
 
@@ -255,13 +255,12 @@ bool PatchTopology::split(int a, int b) {
   valence_[at(n)] = 4;
   ring_[at(n)] = {static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c),
                   static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(d)};
-  ring_[at(a)][at(place_in_ring(a, b))] = static_cast<std::uint8_t>(n);
-  ring_[at(b)][at(place_in_ring(b, a))] = static_cast<std::uint8_t>(n);
+  replace_in_ring(a, b, n);
+  replace_in_ring(b, a, n);
   insert_after(c, a, n);
   insert_after(d, b, n);
   added_faces_ += 2;
-  changes_.push_back(
-      {PatchChange::Kind::split, static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)});
+  record(PatchChange::Kind::split, a, b);
   return true;
 }
 

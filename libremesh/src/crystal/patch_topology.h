@@ -125,6 +125,7 @@ class PatchTopology {
   void insert_at(int v, int place, int inserted);
   void insert_after(int v, int neighbor, int inserted);
   void replace_in_ring(int v, int neighbor, int by);
+  void record(PatchChange::Kind kind, int from, int to);
   [[nodiscard]] bool can_lose_edge(int v) const;
   /// @param third  The corner of the only face at the edge.
   [[nodiscard]] bool can_collapse_on_boundary(int removed, int kept, int third) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/adjacency.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/surface_shape.h"
@@ -21,10 +22,6 @@ double mean_radius(const TriMesh& surface, double area) {
     bending = 2.0 * (bending - 2.0 * gaussian);
   }
   return std::sqrt(4.0 * area / bending);
-}
-
-bool has_boundary(const TriMesh& mesh) {
-  return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "mesh/adjacency.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -55,6 +56,10 @@ FacesByComponent faces_by_component(const TriMesh& mesh) {
     if (walk.faces.size() > begin) walk.ends.push_back(walk.faces.size());
   }
   return walk;
+}
+
+bool has_boundary(const TriMesh& mesh) {
+  return std::ranges::any_of(mesh.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
 std::vector<std::vector<VertexHandle>> boundary_loops(const TriMesh& mesh) {

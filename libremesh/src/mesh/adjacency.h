@@ -42,4 +42,6 @@ struct FacesByComponent {
 /// Vertices along each boundary, with the surface to the right.
 [[nodiscard]] std::vector<std::vector<VertexHandle>> boundary_loops(const TriMesh& mesh);
 
+[[nodiscard]] bool has_boundary(const TriMesh& mesh);
+
 }  // namespace trivalent::remesh

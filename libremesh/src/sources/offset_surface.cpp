@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/adjacency.h"
 #include "mesh/geometry.h"
 #include "mesh/surface_projector.h"
 #include "sources/implicit_surface.h"
@@ -58,10 +59,6 @@ Lattice framed(const TriMesh& surface, double room, Eigen::Vector3d& center) {
   // The grid of the polygonizer is right-handed.
   if (cell.determinant() < 0.0) cell.col(last) *= -1.0;
   return {cell, lattice.periodic()};
-}
-
-bool has_boundary(const TriMesh& surface) {
-  return std::ranges::any_of(surface.edges(), [](const auto e) { return e.is_boundary(); });
 }
 
 /// Distance of p from a surface, < 0 on the side from which its normals point away.

@@ -70,8 +70,8 @@ struct CrystalOptions {
 ///
 /// In space, the energy is that of a membrane which stretches and bends like graphene, avoids
 /// itself and is tethered to the surface [Seung1988]. A membrane buckles at a pentagon and needs no
-/// scars of dislocations, unlike a crystal on a rigid surface. It is bound to creases; an open edge
-/// may shift across its curve by a step of the net, and has as many vertices as fit its length.
+/// scars of dislocations, unlike a crystal on a rigid surface. Creases stay where they are; an
+/// open edge is held to its place along the surface, but may leave it as the rest of the net does.
 /// Nets on the surface have springs as edges; so do nets on surfaces with parts too thin for a net
 /// of twice the length. Where the membrane crosses itself or leaves a part out, both nets are made
 /// and the better one is returned.
