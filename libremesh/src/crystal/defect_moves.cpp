@@ -51,6 +51,24 @@ bool claim(const TriMesh& mesh, VertexHandle center, int rings, std::vector<bool
   return true;
 }
 
+/// Collapses an edge. Each face beside it becomes an edge, which lies along a curve if the kept
+/// vertex's side of the face did.
+void collapse(ConstrainedMesh& constrained, HalfedgeHandle h) {
+  TriMesh& mesh = constrained.mesh;
+  const VertexHandle kept = mesh.to_vertex_handle(h);
+  std::vector<std::pair<VertexHandle, std::optional<int>>> curves;
+  for (const HalfedgeHandle side : {h, mesh.opposite_halfedge_handle(h)}) {
+    if (mesh.is_boundary(side)) continue;
+    const VertexHandle third = mesh.to_vertex_handle(mesh.next_halfedge_handle(side));
+    const EdgeHandle e = mesh.edge_handle(mesh.find_halfedge(kept, third));
+    curves.emplace_back(third, constrained.curve_of(e));
+  }
+  mesh.collapse(h);
+  for (const auto& [third, curve] : curves) {
+    constrained.set_curve(mesh.edge_handle(mesh.find_halfedge(kept, third)), curve);
+  }
+}
+
 }  // namespace
 
 std::vector<VertexHandle> disjoint_sites(const TriMesh& mesh, const std::vector<int>& deviations,
@@ -84,7 +102,7 @@ std::vector<VertexHandle> change_connectivity(ConstrainedMesh& constrained,
         mesh.flip(mesh.edge_handle(h));
         break;
       case PatchChange::Kind::collapse:
-        mesh.collapse(h);
+        collapse(constrained, h);
         break;
       case PatchChange::Kind::split: {
         const std::optional<int> curve = constrained.curve_of(mesh.edge_handle(h));
