@@ -162,6 +162,11 @@ def test_an_interrupt_before_the_first_net_raises() -> None:
     timer.join()
 
 
+def test_a_cell_without_periodic_directions_is_refused() -> None:
+    with pytest.raises(trivalent.InvalidOption, match="no use for cell"):
+        trivalent.build("sheet.off", cell=10.0, pbc=False)
+
+
 def test_other_interrupts_are_refused() -> None:
     with pytest.raises(trivalent.InvalidOption, match="raise or keep"):
         trivalent.build("torus", on_interrupt="other")  # type: ignore[arg-type]

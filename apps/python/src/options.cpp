@@ -139,6 +139,9 @@ shell::CellOptions cell_options(const Options& options) {
   }
   options.set("level", cell.level);
   options.set("pbc", cell.periodic);
+  if (options.has("pbc") && options.has("cell") && cell.periodic == remesh::Lattice::Periodic{}) {
+    throw WrongOption("pbc=False leaves no use for cell; give one or the other");
+  }
   if (const auto raw = options.find<std::string>("raw")) cell.raw = shell::parse_raw_layout(*raw);
   options.set("supercell", cell.supercell);
   return cell;
