@@ -30,7 +30,7 @@ void add_shell_size_options(po::options_description& options) {
       ", of several walls " + shell::significant(shell::usual_bond_length({.name = "airebo"})) +
       ", which suits AIREBO";
   const std::string atoms_help = "about so many atoms; default, if no size is given: " +
-                                 std::to_string(std::get<dual::AtomCount>(defaults.size).atoms);
+                                 std::to_string(dual::AtomCount{}.atoms);
   options.add_options()                                //
       ("atoms", po::value<int>(), atoms_help.c_str())  //
       ("length", po::value<double>(), length_help)     //
@@ -38,12 +38,12 @@ void add_shell_size_options(po::options_description& options) {
       ("bond", po::value<double>(), bond_help.c_str());
 }
 
-dual::ShellSize shell_size(const Session& session) {
+std::optional<dual::ShellSize> shell_size(const Session& session) {
   allow_one(session, {"atoms", "length", "scale"});
   if (const auto atoms = session.find<int>("atoms")) return dual::AtomCount{*atoms};
   if (const auto length = session.find<double>("length")) return dual::LongestSide{*length};
   if (const auto scale = session.find<double>("scale")) return dual::Scale{*scale};
-  return dual::ShellOptions().size;
+  return std::nullopt;
 }
 
 void add_dual_size_options(po::options_description& options) {

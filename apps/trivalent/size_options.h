@@ -12,7 +12,7 @@ void add_shell_size_options(po::options_description& options);
 /// At most one of --atoms, --length, --scale; the default number of atoms without any.
 ///
 /// @throws UsageError if more than one is given.
-[[nodiscard]] dual::ShellSize shell_size(const Session& session);
+[[nodiscard]] std::optional<dual::ShellSize> shell_size(const Session& session);
 
 /// --length, --scale and --bond, for the dual of a mesh as it is.
 void add_dual_size_options(po::options_description& options);

@@ -151,6 +151,30 @@ TEST(Build, AFlatCellBecomesGraphene) {
   EXPECT_TRUE(json["cell"]["density"].is_null());
 }
 
+TEST(Build, TubesAtTheEndsOfAJunctionSetItsSize) {
+  BuildOptions options = small_build();
+  options.shell.size.reset();
+  const std::string shape = "y-junction:open=1,length=3,n=7,m=0";
+  const Surface surface = read_surface(shape, options.shell);
+  const BuildResult result = build(surface, options);
+  // A (7,0) tube of edges √3·1.42 Å around.
+  const double radius = 7.0 * std::numbers::sqrt3 * options.shell.bond / (2.0 * std::numbers::pi);
+  EXPECT_NEAR(result.shell.scale, radius, 0.01 * radius);
+  EXPECT_EQ(result.tube_ends, std::vector(3, std::optional(remesh::ChiralIndices{7, 0})));
+  EXPECT_EQ(result.json()["tube_ends"], Json({{7, 0}, {7, 0}, {7, 0}}));
+  EXPECT_EQ(result.network.ring_sizes.at(7), 6);
+  options.shell.size = dual::AtomCount{500};
+  EXPECT_THROW(static_cast<void>(build(surface, options)), dual::InvalidOption);
+  options.shell.size = dual::Scale{2.0 * radius};
+  EXPECT_THROW(static_cast<void>(build(surface, options)), remesh::InvalidOption);
+  options.shell.size.reset();
+  options.shell.walls.count = 2;
+  EXPECT_THROW(static_cast<void>(build(surface, options)), dual::InvalidOption);
+  options.shell.walls.count = 1;
+  options.shell.method = remesh::RemeshOptions{};
+  EXPECT_THROW(static_cast<void>(build(surface, options)), dual::InvalidOption);
+}
+
 TEST(Build, ASchwarziteGoesOnThroughItsCell) {
   BuildOptions options = small_build();
   options.shell.size = dual::AtomCount{432};

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh_fixtures.h"
+#include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
 namespace {
@@ -40,6 +41,27 @@ TEST(FeatureCurves, CutsTheBoundaryOfASheetAtItsCorners) {
     if (features.kind(v) == FeatureKind::corner) ++corners;
   }
   EXPECT_EQ(corners, 4);
+}
+
+TEST(FeatureCurves, KnowsHowFarBoundariesTurn) {
+  constexpr double full = 2.0 * std::numbers::pi;
+  const FeatureCurves sheet(testing_support::triangular_sheet(5, 3));
+  ASSERT_EQ(sheet.boundaries().size(), 1u);
+  EXPECT_NEAR(sheet.boundaries().front().turn, full, 1e-12);
+  for (int curve = 0; curve < sheet.size(); ++curve) EXPECT_EQ(sheet.boundary_of(curve), 0);
+  const FeatureCurves tube(make_shape("open-tube", {}, 0.2));
+  ASSERT_EQ(tube.boundaries().size(), 2u);
+  for (const auto& end : tube.boundaries()) EXPECT_NEAR(end.turn, 0.0, 1e-9);
+  TriMesh with_hole = testing_support::triangular_sheet(8, 8);
+  with_hole.delete_vertex(VertexHandle(40), false);
+  with_hole.garbage_collection();
+  const FeatureCurves hole(with_hole);
+  ASSERT_EQ(hole.boundaries().size(), 2u);
+  EXPECT_NEAR(hole.boundaries()[0].turn + hole.boundaries()[1].turn, 0.0, 1e-9);
+  const FeatureCurves cube(testing_support::cube(),
+                           find_creases(testing_support::cube(), right_angle / 2.0));
+  EXPECT_TRUE(cube.boundaries().empty());
+  EXPECT_FALSE(cube.boundary_of(0).has_value());
 }
 
 TEST(FeatureCurves, SlidesAlongTheCurveAndNotBeyondItsEnds) {

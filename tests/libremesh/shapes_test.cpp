@@ -207,6 +207,30 @@ TEST(Junctions, AreClosedByHemispheresOrOpen) {
   EXPECT_THROW(static_cast<void>(make_shape("x-junction", {{"radius", 0.0}}, 0.25)), InvalidOption);
 }
 
+TEST(Junctions, HaveArmsAsThickAsTheirTubes) {
+  const auto arm = [](std::vector<double> numbers) {
+    return ShapeArgument{.name = "arm", .list = std::move(numbers)};
+  };
+  const TriMesh mesh = make_shape(
+      "junction",
+      {arm({1, 0, 0, 5, 10, 0}), arm({-1, 0, 0, 5, 5, 0}), arm({0, 1, 0, 5, 10, 0}), {"open", 1.0}},
+      0.15);
+  for (const auto v : mesh.vertices()) {
+    if (!v.is_boundary()) continue;
+    const bool is_thin = mesh.point(v).x() < -2.0;
+    EXPECT_NEAR(mesh.point(v).norm(), std::hypot(5.0, is_thin ? 0.5 : 1.0), 0.02);
+  }
+  const auto refused = [&](const char* shape, const std::vector<ShapeArgument>& arguments) {
+    EXPECT_THROW(static_cast<void>(make_shape(shape, arguments, 0.25)), InvalidOption);
+  };
+  refused("y-junction", {{"n", 10.0}, {"m", 10.0}});  // closed
+  refused("y-junction", {{"n", 7.5}, {"open", 1.0}});
+  refused("y-junction", {{"n", 2.0}, {"open", 1.0}});
+  refused("y-junction", {{"m", 5.0}, {"open", 1.0}});
+  refused("y-junction", {{"n", 5.0}, {"m", -5.0}, {"open", 1.0}});
+  refused("junction", {arm({1, 0, 0, 5, 10, 0}), arm({-1, 0, 0}), {"open", 1.0}});
+}
+
 TEST(Junctions, TakeAnyListOfArms) {
   const auto arm = [](std::vector<double> numbers) {
     return ShapeArgument{.name = "arm", .list = std::move(numbers)};

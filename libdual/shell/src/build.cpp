@@ -161,6 +161,7 @@ void Build::measure() {
   result.distance =
       remesh::measure_distance(given_wall_of(result.shell.surface.mesh), result.original);
   result.network = dual::check_network(result.shell.structure);
+  result.tube_ends = remesh::find_tube_ends(result.shell.surface.mesh);
   if (options_.cap == EdgeCap::hydrogen) cap_edges();
   end(BuildStep::measure);
 }
@@ -255,7 +256,7 @@ void Build::evaluate() {
     evaluate_input();
   }
   end(BuildStep::energies);
-  note_misses(options_.shell.size, result);
+  note_misses(dual::size_of(result.original, options_.shell), result);
   note_findings(result);
 }
 

@@ -1,5 +1,6 @@
 #include "build_notes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivalent/shell/number_text.h"
@@ -46,7 +47,30 @@ void note_misses(const dual::ShellSize& size, BuildResult& result) {
   }
 }
 
+namespace {
+
+/// Tubes that the surface was to end in, and the net does not.
+std::vector<remesh::ChiralIndices> missed_tubes(const BuildResult& result) {
+  std::vector<std::optional<remesh::ChiralIndices>> left = result.tube_ends;
+  std::vector<remesh::ChiralIndices> missed;
+  for (const remesh::ChiralIndices& wanted : remesh::wanted_tube_ends(result.original)) {
+    const auto found = std::ranges::find(left, std::optional(wanted));
+    if (found == left.end()) {
+      missed.push_back(wanted);
+    } else {
+      left.erase(found);
+    }
+  }
+  return missed;
+}
+
+}  // namespace
+
 void note_findings(BuildResult& result) {
+  for (const remesh::ChiralIndices& tube : missed_tubes(result)) {
+    result.notes.push_back("no open end is that of a " + tube_text(tube) +
+                           " tube, as was asked for: another --seed, or --effort thorough");
+  }
   const auto& network = result.network;
   if (result.quality.boundary_loops == 0 && !network.is_trivalent()) {
     result.notes.push_back("not every atom has three bonds");

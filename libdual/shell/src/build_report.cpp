@@ -80,6 +80,22 @@ Json cell_json(const CellReport& report, const potentials::Box& box) {
           {"genus", report.genus}};
 }
 
+Json tube_ends_json(const std::vector<std::optional<remesh::ChiralIndices>>& ends) {
+  Json json = Json::array();
+  for (const auto& tube : ends) {
+    json.push_back(tube ? Json({tube->n, tube->m}) : Json(nullptr));
+  }
+  return json;
+}
+
+std::string tube_ends_text(const std::vector<std::optional<remesh::ChiralIndices>>& ends) {
+  std::string text;
+  for (const auto& tube : ends) {
+    text += (text.empty() ? "" : ", ") + (tube ? tube_text(*tube) : "no tube");
+  }
+  return text;
+}
+
 void add_rows(const CellReport& report, std::vector<dual::TableRow>& rows) {
   const auto three = [](const std::array<double, 3>& numbers, int digits) {
     return decimals(numbers[0], digits) + ", " + decimals(numbers[1], digits) + ", " +
@@ -108,6 +124,7 @@ Json BuildResult::json() const {
                {"components", components_json(components)},
                {"distance", distance_json(distance)},
                {"network", network_json(network)},
+               {"tube_ends", tube_ends_json(tube_ends)},
                {"hydrogens", caps.hydrogens},
                {"energy", energies_json(*this)}};
   json["energy"]["budget"] = budget.json();
@@ -132,6 +149,9 @@ std::vector<dual::TableRow> BuildResult::rows() const {
   append(rows, distance_rows(distance));
   rows.push_back({"shell"});
   append(rows, network_rows(network));
+  if (std::ranges::any_of(tube_ends, [](const auto& tube) { return tube.has_value(); })) {
+    rows.push_back({"open ends", tube_ends_text(tube_ends)});
+  }
   if (const auto cell = cell_report(*this)) add_rows(*cell, rows);
   append(rows, walls_rows(walls, wall_energies));
   rows.push_back({"energy per atom (" + potential.title() + ")"});

@@ -14,6 +14,7 @@
 #include "trivalent/potentials/rebo.h"
 #include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::dual {
 namespace {
@@ -29,10 +30,28 @@ void check_options(const TriMesh& mesh, const ShellOptions& options) {
         concat("build_shell: the bond length must be > 0 and finite, but is ", options.bond));
   }
   check_wall_options(options.walls);
-  const auto* count = std::get_if<AtomCount>(&options.size);
+  if (!options.size) return;
+  const auto* count = std::get_if<AtomCount>(&*options.size);
   if (count != nullptr && count->atoms < min_atoms) {
     throw InvalidOption(
         concat("build_shell: a shell needs at least ", min_atoms, " atoms, not ", count->atoms));
+  }
+}
+
+/// @throws InvalidOption  if the surface is to end in tubes that the options have no net for.
+void check_tubes(const TriMesh& mesh, const ShellOptions& options) {
+  if (!remesh::edge_length_of_tubes(mesh)) return;
+  if (!std::holds_alternative<remesh::CrystalOptions>(options.method)) {
+    throw InvalidOption(
+        "build_shell: only nets of the crystal method end in tubes of given indices");
+  }
+  if (options.walls.count > 1) {
+    throw InvalidOption("build_shell: tubes of given indices are ends of one wall, not of several");
+  }
+  if (options.size && !std::holds_alternative<Scale>(*options.size)) {
+    throw InvalidOption(
+        "build_shell: the chiral indices of the arms set the size; leave out the number of atoms "
+        "and the length");
   }
 }
 
@@ -167,7 +186,7 @@ remesh::RemeshMethod with_shared_progress(remesh::RemeshMethod method, int wall,
 }
 
 void fit_scale(const TriMesh& mesh, const ShellOptions& options, Shell& shell) {
-  shell.scale = given_scale(mesh, options.size);
+  shell.scale = given_scale(mesh, *options.size);
   shell.target_edge_length = edge_length_for_bond(options.bond) / shell.scale;
   shell.surface = remesh::remesh_by(mesh, method_at_rest(options), shell.target_edge_length);
   shell.remeshings = 1;
@@ -218,8 +237,16 @@ int atoms_of_given_wall(const TriMesh& mesh, const ShellOptions& options, const 
 
 }  // namespace
 
+ShellSize size_of(const TriMesh& surface, const ShellOptions& options) {
+  if (options.size) return *options.size;
+  const std::optional<double> edge_length = remesh::edge_length_of_tubes(surface);
+  if (edge_length) return Scale{edge_length_for_bond(options.bond) / *edge_length};
+  return AtomCount{};
+}
+
 ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
   check_options(mesh, options);
+  const ShellSize size = size_of(mesh, options);
   const double area = remesh::surface_area(mesh);
   if (!(area > 0.0) || !std::isfinite(area)) {
     throw InvalidNetwork(concat("estimate_shell: the mesh has the area ", area,
@@ -228,11 +255,11 @@ ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
   ShellEstimate estimate;
   const double edge_length = edge_length_for_bond(options.bond);
   const double area_per_atom = remesh::unit_triangle_area * edge_length * edge_length;
-  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+  if (const auto* count = std::get_if<AtomCount>(&size)) {
     estimate.atoms = count->atoms;
     estimate.scale = scale_for_area(mesh, area_per_atom * count->atoms, options.walls);
   } else {
-    estimate.scale = given_scale(mesh, options.size);
+    estimate.scale = given_scale(mesh, size);
     for (const double each : areas_of_walls(mesh, estimate.scale, options.walls)) {
       estimate.atoms += each / area_per_atom;
     }
@@ -243,11 +270,14 @@ ShellEstimate estimate_shell(const TriMesh& mesh, const ShellOptions& options) {
 
 Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
   check_options(mesh, options);
+  check_tubes(mesh, options);
+  const ShellSize size = size_of(mesh, options);
   ShellOptions first = options;
+  first.size = size;
   first.walls.count = 1;
   first.method = with_shared_progress(options.method, 0, options.walls.count);
   Shell shell;
-  if (const auto* count = std::get_if<AtomCount>(&options.size)) {
+  if (const auto* count = std::get_if<AtomCount>(&size)) {
     fit_atom_count(mesh, first, atoms_of_given_wall(mesh, options, *count), shell);
   } else {
     fit_scale(mesh, first, shell);

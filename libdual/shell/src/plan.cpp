@@ -6,6 +6,7 @@
 
 #include "free_memory.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/tube_ends.h"
 #include "trivalent/shell/number_text.h"
 
 namespace trivalent::shell {
@@ -22,20 +23,12 @@ double memory_of(double atoms, double input_faces, const dual::WallOptions& wall
 }
 
 /// How long the search for a net takes [s], of processors of about 3 GHz.
-double seconds_of_net(double atoms, const remesh::MeshComponents& components,
-                      const remesh::RemeshMethod& method) {
+double seconds_of_net(double atoms, const remesh::RemeshMethod& method) {
   constexpr double per_atom_and_iteration = 8e-6;
   if (const auto* paper = std::get_if<remesh::RemeshOptions>(&method)) {
     return atoms * paper->iterations * per_atom_and_iteration;
   }
   const auto& crystal = std::get<remesh::CrystalOptions>(method);
-  // Short searches still start from a net, and end with one at rest.
-  constexpr double min_effort = 0.3;
-  const double effort = std::max(remesh::effort_factor(crystal.effort), min_effort);
-  const bool has_curves = crystal.feature_angle ||
-                          !std::ranges::all_of(components.parts, &remesh::MeshComponent::is_closed);
-  constexpr double springs_per_atom = 1.1e-3;
-  if (has_curves) return effort * springs_per_atom * atoms;
   constexpr double per_vertex_and_round = 2.8e-6;
   constexpr double per_atom = 2e-4;  // the nets to start from, and the last relaxation
   return per_atom * atoms +
@@ -43,15 +36,14 @@ double seconds_of_net(double atoms, const remesh::MeshComponents& components,
 }
 
 /// Processor time of whole builds; scripts/bench_forecast.py compares it with what they take.
-double seconds_of(double atoms, double input_faces, const remesh::MeshComponents& components,
-                  const remesh::RemeshMethod& method) {
+double seconds_of(double atoms, double input_faces, const remesh::RemeshMethod& method) {
   constexpr double start = 0.8;  // and the distance between the surfaces
   constexpr double per_input_face = 3e-5;
   constexpr double per_atom_and_step = 1e-6;  // of the relaxation
   constexpr double steps_of_crystal = 150.0;
   constexpr double steps_of_paper = 700.0;
   const bool is_paper = std::holds_alternative<remesh::RemeshOptions>(method);
-  return start + per_input_face * input_faces + seconds_of_net(atoms, components, method) +
+  return start + per_input_face * input_faces + seconds_of_net(atoms, method) +
          per_atom_and_step * (is_paper ? steps_of_paper : steps_of_crystal) * atoms;
 }
 
@@ -130,8 +122,9 @@ Plan plan(const remesh::TriMesh& mesh, const remesh::MeshComponents& components,
   plan.shell = dual::estimate_shell(mesh, options);
   plan.memory = memory_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), options.walls);
   plan.free_memory = shell::free_memory();
-  plan.seconds =
-      seconds_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), components, options.method);
+  plan.seconds = seconds_of(plan.shell.atoms, static_cast<double>(mesh.n_faces()), options.method);
+  constexpr double times_of_tubes = 4.0;  // nets that end in given tubes are ordered more often
+  if (remesh::edge_length_of_tubes(mesh)) plan.seconds *= times_of_tubes;
   constexpr double per_atom_of_walls = 4e-3;  // relaxed under AIREBO
   if (options.walls.count > 1) plan.seconds += per_atom_of_walls * plan.shell.atoms;
   plan.components = static_cast<int>(components.parts.size());

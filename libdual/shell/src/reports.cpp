@@ -135,6 +135,10 @@ std::vector<TableRow> net_rows(const remesh::RemeshResult& net) {
   return rows;
 }
 
+std::string tube_text(const remesh::ChiralIndices& tube) {
+  return "(" + std::to_string(tube.n) + "," + std::to_string(tube.m) + ")";
+}
+
 std::string crossings_text(int pairs) {
   return std::to_string(pairs) + (pairs < remesh::max_crossing_pairs ? "" : " or more");
 }

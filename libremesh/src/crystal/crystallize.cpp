@@ -9,6 +9,7 @@
 #include "equalize/paper_loop.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/periodic.h"
+#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::remesh {
 
@@ -52,6 +53,10 @@ std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOption
   if (auto net = search_primitive_cell(surface.mesh, options, watch)) return net;
   std::optional<FoundNet> membrane = search_membrane(surface, options, watch);
   if (watch.stopped()) return membrane;
+  if (edge_length_of_tubes(surface.mesh)) {
+    if (!membrane) throw InvalidMesh("crystallize: the surface is too thin for a net with tubes");
+    return membrane;
+  }
   if (!membrane) return search_springs(surface, options, watch);
   const double m = options.target_edge_length;
   const Flaws flaws = find_flaws(membrane->mesh, surface.mesh, m, max_reach);
@@ -61,6 +66,21 @@ std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOption
   if (!springs) return membrane;
   const Flaws other = find_flaws(springs->mesh, surface.mesh, m, max_reach);
   return other.sum() < flaws.sum() ? std::move(springs) : std::move(membrane);
+}
+
+/// @throws InvalidOption  if the surface is to end in tubes, which nets of these options cannot.
+void check_tubes(const TriMesh& surface, const CrystalOptions& options) {
+  const std::optional<double> edge_length = edge_length_of_tubes(surface);
+  if (!edge_length) return;
+  if (options.rest == NetRest::on_surface) {
+    throw InvalidOption(
+        "crystallize: only nets in space, as for build, can end in tubes of given indices");
+  }
+  constexpr double max_strain = 0.03;
+  if (std::abs(options.target_edge_length / *edge_length - 1.0) <= max_strain) return;
+  throw InvalidOption(concat("crystallize: the tubes that the surface ends in need edges of ",
+                             *edge_length, ", not ", options.target_edge_length,
+                             "; they set its size: give no other"));
 }
 
 }  // namespace
@@ -84,6 +104,7 @@ RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {
     throw InvalidOption(concat(
         "crystallize: the tether's stiffness must be > 0 and finite, but is ", *options.stiffness));
   }
+  check_tubes(mesh, options);
   const TriMesh surface = with_edges_divided(mesh, options.target_edge_length);
   const Creases creases = find_creases(surface, options.feature_angle);
   SearchWatch watch(options);

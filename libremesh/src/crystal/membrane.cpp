@@ -55,12 +55,28 @@ double Membrane::boundary_energy(int deviation) const {
   return 0.5 * (heptagon - pentagon) * deviation + crowded * std::max(steps - 1, 0);
 }
 
+namespace {
+
+constexpr double edge_count_stiffness = 50.0;  // k_e [eV]
+
+}  // namespace
+
 double Membrane::boundary_count_energy(double curve_length, int edges) const {
-  constexpr double stiffness = 50.0;  // k_e [eV]
   const double fewest = curve_length / length;
   const double most = fewest * 2.0 / std::numbers::sqrt3;
   const double excess = std::max({0.0, fewest - edges, edges - most});
+  return edge_count_stiffness * excess * excess;
+}
+
+double Membrane::turn_energy(double excess) const {
+  // As much as a pair of 5-7: with 10, dislocations cannot leave the net by its boundary.
+  constexpr double stiffness = 4.0;  // k_q [eV]
   return stiffness * excess * excess;
+}
+
+double Membrane::tube_energy(double distance, int excess) const {
+  constexpr double stiffness = 10.0;  // k_c [eV]
+  return stiffness * distance + edge_count_stiffness * excess * excess;
 }
 
 double Membrane::count_energy(int excess) const {

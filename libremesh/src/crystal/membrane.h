@@ -20,9 +20,13 @@ namespace trivalent::remesh {
 ///   + Σ core(valence) + n p                 n edges between a pentagon and a heptagon
 ///   + ¼ λ (F - F0)²                         F faces: two for each vertex
 ///   + k_e Σ Δ²                              Δ edges too many or too few on a boundary curve
+///   + k_q Σ (Q - Q0)²                       Q: Σ (valence - 4) of a boundary; Q0: of the surface's
+///   + k_c Σ |C - C0| + k_e Σ Δ²             C: sum of the edges of a boundary in the net's
+///   lattice;
+///                                           C0: of the tube that ends there
 ///
 /// k, κ and k_t are the same for every L: those of the continuum. L_e is L between hexagons, and
-/// the more the wider the rings at its ends are. The last four are not functions of positions.
+/// the more the wider the rings at its ends are. The last six are not functions of positions.
 struct Membrane {
   static constexpr double fine_length = 2.46;  ///< m [Å]
   static constexpr double bending = 1.4;       ///< κ [eV]
@@ -70,6 +74,13 @@ struct Membrane {
   /// net is as long as its edges, of an armchair edge two reach √3 L: what is between costs
   /// nothing.
   [[nodiscard]] double boundary_count_energy(double curve_length, int edges) const;
+  /// k_q (Q - Q0)² [eV] of a boundary that turns by Q - Q0 sixths more than that of the surface.
+  [[nodiscard]] double turn_energy(double excess) const;
+  /// k_c |C - C0| + k_e Δ² [eV] of a boundary that is to be the end of a tube.
+  ///
+  /// @param distance  |C - C0| [edges].
+  /// @param excess    Δ: edges more than the shortest path around the tube has.
+  [[nodiscard]] double tube_energy(double distance, int excess) const;
   /// ¼ λ (F - F0)² [eV] for F - F0 faces too many.
   [[nodiscard]] double count_energy(int excess) const;
 };

@@ -10,6 +10,7 @@
 
 #include "crystal/defect_moves.h"
 #include "crystal/membrane_patch.h"
+#include "crystal/rims.h"
 #include "equalize/valence.h"
 
 namespace trivalent::remesh {
@@ -32,9 +33,7 @@ constexpr double min_gain = 0.01;        // [eV] at temperature 0, so that no mo
 /// A move that was chosen: the patch after it.
 struct Decision {
   std::optional<MembranePatch> patch;
-  double spare = 0.0;             // [eV] by which the limit of Metropolis' rule is above its energy
-  int added = 0;                  // faces
-  std::optional<int> curve = {};  // of a boundary whose number of edges changes by `added`
+  double spare = 0.0;  // [eV] by which the limit of Metropolis' rule is above its energy
 };
 
 struct Workspace {
@@ -78,10 +77,14 @@ class MembraneAnnealing {
     for (const auto e : mesh_.edges()) {
       if (const auto curve = net_.constrained().curve_of(e)) ++curve_edges_[index(*curve)];
     }
+    rim_energies_.clear();
+    for (const Rim& rim : find_rims(net_.constrained())) {
+      rim_energies_.push_back(rim_energy(net_.membrane(), net_.constrained().curves(), rim));
+    }
   }
 
   int play_round() {
-    const std::vector<VertexHandle> sites = disjoint_sites(mesh_, deviations_,
+    const std::vector<VertexHandle> sites = disjoint_sites(mesh_, deviations_at_rims(),
                                                            {.rings = MembranePatch::reach.inner,
                                                             .min_deviation = options_.min_deviation,
                                                             .seed = seed_,
@@ -94,27 +97,56 @@ class MembraneAnnealing {
     int moves = 0;
     for (const Decision& decision : decisions) {
       if (!decision.patch) continue;
-      if (rise_of_counts(decision.added, decision.curve) > decision.spare) continue;
+      if (rise_of_counts(decision.patch->topology()) > decision.spare) continue;
       apply(decision);
       ++moves;
     }
     return moves;
   }
 
-  /// [eV] of the count terms.
-  ///
-  /// @param curve  Of a boundary whose number of edges changes too, by as many.
-  [[nodiscard]] double rise_of_counts(int added, std::optional<int> curve) const {
-    const Membrane& membrane = net_.membrane();
-    const double rise = membrane.count_energy(excess_ + added) - membrane.count_energy(excess_);
-    if (!curve) return rise;
-    const double length = net_.constrained().curves().length(*curve);
-    const int edges = curve_edges_[index(*curve)];
-    return rise + membrane.boundary_count_energy(length, edges + added) -
-           membrane.boundary_count_energy(length, edges);
+  /// The deviations, with all vertices irregular along rims that are not those of their tubes yet:
+  /// a straight one has no other.
+  [[nodiscard]] std::vector<int> deviations_at_rims() const {
+    constexpr double at_rest = 5.0;  // [eV]
+    const auto is_at_rest = [](double energy) { return energy < at_rest; };
+    std::vector<int> deviations = deviations_;
+    if (std::ranges::all_of(rim_energies_, is_at_rest)) return deviations;
+    for (const auto v : mesh_.vertices()) {
+      if (!v.is_boundary() || deviations[index(v)] != 0) continue;
+      const int boundary = boundary_at(net_.constrained(), v);
+      if (!is_at_rest(rim_energies_[index(boundary)])) deviations[index(v)] = 1;
+    }
+    return deviations;
   }
 
-  /// The curve of the boundary edge that a move of a patch splits or collapses.
+  /// [eV] of what a patch changes beyond its vertices: numbers of faces and of edges of boundaries,
+  /// how these turn, and which tubes they end.
+  [[nodiscard]] double rise_of_counts(const PatchTopology& after) const {
+    const Membrane& membrane = net_.membrane();
+    const int added = after.added_faces();
+    double rise = membrane.count_energy(excess_ + added) - membrane.count_energy(excess_);
+    const FeatureCurves& curves = net_.constrained().curves();
+    if (const std::optional<int> curve = curve_changed_by(after); curve && !ends_tube(*curve)) {
+      const double length = curves.length(*curve);
+      const int edges = curve_edges_[index(*curve)];
+      rise += membrane.boundary_count_energy(length, edges + added) -
+              membrane.boundary_count_energy(length, edges);
+    }
+    for (const Rim& rim : rims_after(net_.constrained(), after)) {
+      rise += rim_energy(membrane, curves, rim) - rim_energies_[index(rim.boundary)];
+    }
+    return rise;
+  }
+
+  /// Whether a curve is to be the end of a tube, whose number of edges is known.
+  [[nodiscard]] bool ends_tube(int curve) const {
+    const FeatureCurves& curves = net_.constrained().curves();
+    const std::optional<int> boundary = curves.boundary_of(curve);
+    return boundary && curves.boundaries()[index(*boundary)].tube;
+  }
+
+  /// The curve of the boundary edge that a move of a patch splits or collapses: the number of its
+  /// edges changes by as many as that of the faces.
   [[nodiscard]] std::optional<int> curve_changed_by(const PatchTopology& after) const {
     if (after.added_faces() % 2 == 0) return std::nullopt;
     const PatchChange& change = after.changes().front();
@@ -142,14 +174,10 @@ class MembraneAnnealing {
       if (!make_move(patch, patch.topology(), move)) continue;
       if (patch.topology().disorder() > disorder + max_new_disorder) continue;
       const double limit = *before + largest_rise(temperature_, random, min_gain);
-      const int added = patch.topology().added_faces();
-      const std::optional<int> curve = curve_changed_by(patch.topology());
-      const double rise = rise_of_counts(added, curve);
+      const double rise = rise_of_counts(patch.topology());
       const auto energy = patch.relax({patch_steps, tolerance, limit - rise}, workspace.minimizer);
       if (!energy || *energy + rise > limit) continue;
       decision.spare = limit - *energy;
-      decision.added = added;
-      decision.curve = curve;
       decision.patch = patch;
       break;
     }
@@ -158,6 +186,14 @@ class MembraneAnnealing {
 
   void apply(const Decision& decision) {
     const PatchTopology& topology = decision.patch->topology();
+    excess_ += topology.added_faces();
+    if (const auto curve = curve_changed_by(topology)) {
+      curve_edges_[index(*curve)] += topology.added_faces();
+    }
+    for (const Rim& rim : rims_after(net_.constrained(), topology)) {
+      rim_energies_[index(rim.boundary)] =
+          rim_energy(net_.membrane(), net_.constrained().curves(), rim);
+    }
     const std::vector<VertexHandle> vertices = change_connectivity(net_.constrained(), topology);
     deviations_.resize(mesh_.n_vertices(), 0);
     // What holds a vertex is found anew with the whole net, but a new one must have something.
@@ -180,16 +216,15 @@ class MembraneAnnealing {
       deviations_[index(v)] = topology.deviation(i);
       mesh_.point(v) = decision.patch->position(i);
     }
-    excess_ += decision.added;
-    if (decision.curve) curve_edges_[index(*decision.curve)] += decision.added;
   }
 
   MembraneNet& net_;
   TriMesh& mesh_;
   const MembraneAnnealingOptions& options_;
   std::vector<int> deviations_;
-  std::vector<int> curve_edges_;  // of each feature curve
-  int excess_ = 0;                // faces more than wanted
+  std::vector<int> curve_edges_;      // of each feature curve
+  std::vector<double> rim_energies_;  // [eV] of how each boundary turns
+  int excess_ = 0;                    // faces more than wanted
   double temperature_ = 0.0;
   std::uint64_t seed_ = 0;
   tbb::enumerable_thread_specific<Workspace> workspaces_;

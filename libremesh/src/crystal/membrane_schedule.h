@@ -100,6 +100,17 @@ inline OrderPlan plan_order(const Level& level, double vertices, Effort effort) 
 inline constexpr double max_judged_vertices = 1000.0;
 inline constexpr int max_judged_orders = 12;
 
+/// [eV] and [eV/Å²] of Membrane::count and boundary_tether where a net ends in given tubes: where
+/// the ends lie, and how many vertices there are, follows from where the heptagons lie. With 0.1
+/// and 0.6 Y junctions of (10,10) tubes keep four to five pairs.
+inline constexpr double count_of_tubes = 0.003;
+inline constexpr double tether_of_tubes = 0.05;
+/// Pairs cannot leave a net at ends that are fixed. Few long orders find more than many short ones:
+/// with 12 orders at twice the vertex_rounds, Y junctions of (9,9) and (12,5) tubes keep three
+/// pairs, with 4 one.
+inline constexpr int orders_of_tubes = 6;
+inline constexpr double effort_of_tubes = 2.0;  ///< times vertex_rounds and max_rounds
+
 /// Whether a net still orders after a division into a level.
 inline bool is_refined(std::size_t first_level, std::size_t level) {
   return level == first_level + 1 && levels[level].coarseness > 1;

@@ -14,12 +14,14 @@
 #include "crystal/inflation.h"
 #include "crystal/membrane_annealing.h"
 #include "crystal/membrane_schedule.h"
+#include "crystal/rims.h"
 #include "crystal/tether_strength.h"
 #include "mesh/adjacency.h"
 #include "mesh/geometry.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/surface_shape.h"
+#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::remesh {
 
@@ -44,6 +46,7 @@ class MembraneSearch {
         watch_(watch),
         area_(surface_area(surface_)),
         is_open_(has_boundary(surface_)),
+        ends_in_tubes_(edge_length_of_tubes(surface_)),
         tether_factor_(is_held(options) ? 1.0 : tether_factor(surface_, area_)),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
@@ -72,9 +75,10 @@ class MembraneSearch {
     return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
   }
 
-  /// Whether a first net of this level has room for patches.
+  /// Whether a first net of this level has room for patches, and for the tubes that it ends in.
   [[nodiscard]] bool has_room(const Level& level) const {
-    return n_vertices() >= level.coarseness * level.coarseness * level.min_vertices;
+    return n_vertices() >= level.coarseness * level.coarseness * level.min_vertices &&
+           fits_tubes(net_.on_surface.curves(), level.coarseness);
   }
 
   /// Puts the first net on the surface, if it is thick enough for one.
@@ -134,7 +138,7 @@ class MembraneSearch {
   /// themselves.
   bool start_small() {
     constexpr double max_vertices_of_small = 1500.0;
-    if (n_vertices() > max_vertices_of_small) return false;
+    if (n_vertices() > max_vertices_of_small && !ends_in_tubes_) return false;
     const std::unique_ptr<Net> net =
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
     if (!net) return false;
@@ -186,6 +190,11 @@ class MembraneSearch {
     // 0.02 lets small nets lose a fifth of their vertices; 0.3 + 60/V leaves nets of 120 one short.
     membrane.count = 0.3 + 240.0 / n_vertices();
     if (surface_.lattice.is_periodic() && level.coarseness > 1) membrane.count = exact_count;
+    if (ends_in_tubes_) {
+      membrane.count = count_of_tubes;
+      membrane.boundary_tether = tether_of_tubes;
+      if (level.coarseness == 1) membrane.pair = settled_pair;
+    }
     return membrane;
   }
 
@@ -207,6 +216,11 @@ class MembraneSearch {
   /// @return  All orders if they are to be judged, else that of least energy.
   std::vector<ConstrainedMesh::State> orders(Level level) {
     if (is_judged()) level.max_orders = max_judged_orders;
+    if (ends_in_tubes_) {
+      level.max_orders = orders_of_tubes;
+      level.max_rounds *= effort_of_tubes;
+      level.vertex_rounds *= effort_of_tubes;
+    }
     // Half of the time is for the nets that come from few vertices.
     if (plan_cell_division(surface_, wanted_vertices())) level.vertex_rounds *= 0.5;
     const OrderPlan plan =
@@ -286,7 +300,8 @@ class MembraneSearch {
   /// @param wanted  Number of faces.
   [[nodiscard]] static double energy_of(MembraneNet& net, int wanted) {
     const int faces = static_cast<int>(net.constrained().mesh.n_faces());
-    return net.elastic_energy() + net.core_energy() + net.membrane().count_energy(faces - wanted);
+    return net.elastic_energy() + net.core_energy() + net.membrane().count_energy(faces - wanted) +
+           rim_energy(net.membrane(), net.constrained());
   }
 
   [[nodiscard]] int rounds_of(const Schedule& schedule) const {
@@ -337,9 +352,11 @@ class MembraneSearch {
       candidate.energy = finish(net) - candidate.favor;
       candidate.state = net.on_surface.state();
       if (!is_judged() || candidates_.size() == 1) return;
+      const double rims = rim_energy(final_membrane(), net.on_surface);
       scale(net.mesh, 1.0 / scale_);
-      candidate.energy = watch_.should_stop() ? std::numeric_limits<double>::infinity()
-                                              : options_.energy(net.mesh) + count_energy(net.mesh);
+      candidate.energy = watch_.should_stop()
+                             ? std::numeric_limits<double>::infinity()
+                             : options_.energy(net.mesh) + count_energy(net.mesh) + rims;
     };
     tbb::parallel_for(std::size_t{0}, candidates_.size(), [&](std::size_t k) {
       tbb::this_task_arena::isolate([&] { judge(candidates_[k]); });
@@ -368,6 +385,7 @@ class MembraneSearch {
   SearchWatch& watch_;
   double area_;
   bool is_open_;
+  bool ends_in_tubes_;
   double tether_factor_;
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/adjacency.h"
 #include "mesh/geometry.h"
 
 namespace trivalent::remesh {
@@ -55,6 +56,7 @@ FeatureCurves::FeatureCurves(const TriMesh& surface, const Creases& creases)
   }
   find_corners(surface);
   trace_curves(surface);
+  find_boundaries(surface);
 }
 
 void FeatureCurves::find_corners(const TriMesh& surface) {
@@ -103,6 +105,25 @@ void FeatureCurves::trace(const TriMesh& surface, HalfedgeHandle first) {
     }
   }
   curves_.push_back(std::move(polyline));
+}
+
+void FeatureCurves::find_boundaries(const TriMesh& surface) {
+  boundary_of_.resize(curves_.size());
+  for (const std::vector<VertexHandle>& loop : boundary_loops(surface)) {
+    Boundary boundary;
+    for (const VertexHandle v : loop) {
+      const EdgeHandle e = surface.edge_handle(surface.halfedge_handle(v));
+      boundary_of_[static_cast<std::size_t>(*curve_of_[index(e)])] =
+          static_cast<int>(boundaries_.size());
+      if (const auto tube = tube_end(surface, v)) boundary.tube = tube;
+      boundary.turn += std::numbers::pi;
+      for (const auto h : surface.voh_range(v)) {
+        if (h.is_boundary()) continue;
+        boundary.turn -= angle_between(edge_vector(surface, h), -edge_vector(surface, h.prev()));
+      }
+    }
+    boundaries_.push_back(boundary);
+  }
 }
 
 CurvePoint FeatureCurves::nearest(const Eigen::Vector3d& p, const CurvePoint& near) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trivalent/remesh/mesh.h"
+#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::remesh {
 
@@ -39,6 +40,18 @@ class FeatureCurves {
   [[nodiscard]] int size() const { return static_cast<int>(curves_.size()); }
   [[nodiscard]] double length(int curve) const;
 
+  /// The boundary that a curve is part of, by number; none if it is a crease.
+  [[nodiscard]] std::optional<int> boundary_of(int curve) const {
+    return boundary_of_[static_cast<std::size_t>(curve)];
+  }
+  struct Boundary {
+    /// How far it turns within the surface [rad], to the side of the surface: 2π around a flat
+    /// disc, 0 around the end of a tube, -2π around a hole in a plane.
+    double turn = 0.0;
+    std::optional<ChiralIndices> tube;  ///< that ends there, if that was said
+  };
+  [[nodiscard]] const std::vector<Boundary>& boundaries() const { return boundaries_; }
+
   /// The curve that an edge of the surface is part of.
   [[nodiscard]] std::optional<int> curve_of(EdgeHandle e) const { return curve_of_[index(e)]; }
   [[nodiscard]] FeatureKind kind(VertexHandle v) const { return kinds_[index(v)]; }
@@ -68,6 +81,7 @@ class FeatureCurves {
   void find_corners(const TriMesh& surface);
   void trace_curves(const TriMesh& surface);
   void trace(const TriMesh& surface, HalfedgeHandle first);
+  void find_boundaries(const TriMesh& surface);
 
   Lattice lattice_;
   std::vector<bool> is_feature_;
@@ -75,6 +89,8 @@ class FeatureCurves {
   std::vector<FeatureKind> kinds_;
   std::vector<CurvePoint> places_;
   std::vector<Curve> curves_;
+  std::vector<std::optional<int>> boundary_of_;  // of each curve
+  std::vector<Boundary> boundaries_;
 };
 
 }  // namespace trivalent::remesh

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "mesh/geometry.h"
 #include "sources/built_in_shapes.h"
 #include "sources/implicit_surface.h"
 #include "trivalent/remesh/error.h"
+#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::remesh {
 
@@ -104,7 +106,15 @@ struct Arm {
   Eigen::Vector3d direction;
   double length;
   double radius;
+  std::optional<ChiralIndices> tube = {};
 };
+
+/// Says which tube ends at the open end of an arm.
+void mark_tube_end(TriMesh& mesh, const JoinedTubes& tubes, std::size_t arm, ChiralIndices tube) {
+  for (const auto v : mesh.vertices()) {
+    if (v.is_boundary() && tubes.nearest(mesh.point(v)) == arm) set_tube_end(mesh, v, tube);
+  }
+}
 
 /// @throws InvalidOption if two arms are one, or an open one ends within the others.
 void check_arms(const Request& request, const std::vector<Arm>& arms) {
@@ -125,6 +135,21 @@ void check_arms(const Request& request, const std::vector<Arm>& arms) {
   }
 }
 
+/// @throws InvalidOption if only some arms are tubes of given indices, or closed ones are.
+void check_tubes(const Request& request, const std::vector<Arm>& arms) {
+  const auto given =
+      std::ranges::count_if(arms, [](const Arm& arm) { return arm.tube.has_value(); });
+  if (given == 0) return;
+  if (request.at("open") != 1.0) {
+    throw InvalidOption(
+        concat("make_shape: ", request.shape, ": arms with chiral indices are open: add open=1"));
+  }
+  if (given < static_cast<std::ptrdiff_t>(arms.size())) {
+    throw InvalidOption(
+        concat("make_shape: ", request.shape, ": give chiral indices to all arms or to none"));
+  }
+}
+
 TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
   check_positive(request, {"radius", "length", "neck"});
   const double open = request.at("open");
@@ -132,11 +157,12 @@ TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
     throw InvalidOption(concat("make_shape: ", request.shape, ": open is 0 or 1, not ", open));
   }
   check_arms(request, arms);
+  check_tubes(request, arms);
   double area = 0.0;
   double reach = 0.0;
   std::vector<Segment> segments;
   std::vector<Segment> ends;
-  for (const auto& [direction, length, radius] : arms) {
+  for (const auto& [direction, length, radius, tube] : arms) {
     area += 2.0 * pi * radius * (length + radius);
     (void)pieces(request, 2.0 * pi * radius, request.edge_length, 6);
     // Tubes that are to be cut go on for a while.
@@ -153,33 +179,58 @@ TriMesh junction_of(const Request& request, const std::vector<Arm>& arms) {
                            .high = Eigen::Vector3d::Constant(room)};
   TriMesh mesh = polygonize({.value = tubes, .box = box}, request.edge_length);
   for (std::size_t k = 0; open == 1.0 && k < ends.size(); ++k) cut_off(mesh, tubes, k, ends[k]);
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    if (arms[k].tube) mark_tube_end(mesh, tubes, k, *arms[k].tube);
+  }
   return mesh;
+}
+
+/// @throws InvalidOption if these are no chiral indices of a tube.
+ChiralIndices tube_of(const Request& request, double n, double m) {
+  constexpr double most = 1000.0;
+  if (n != std::round(n) || m != std::round(m) || n < 1.0 || m < 0.0 || std::max(n, m) > most) {
+    throw InvalidOption(concat("make_shape: ", request.shape, ": n = ", n, ", m = ", m,
+                               "; chiral indices are whole numbers, n from 1 and m from 0 to ",
+                               most));
+  }
+  const ChiralIndices tube = {static_cast<int>(n), static_cast<int>(m)};
+  if (circumference_of(tube) < 3.0) {
+    throw InvalidOption(concat("make_shape: ", request.shape, ": a (", n, ",", m,
+                               ") tube is too thin; (3,0) is the thinnest"));
+  }
+  return tube;
 }
 
 /// Tubes of one radius and length.
 TriMesh junction_towards(const Request& request, const std::vector<Eigen::Vector3d>& directions) {
   std::vector<Arm> arms;
   arms.reserve(directions.size());
+  std::optional<ChiralIndices> tube;
+  if (request.at("n") != 0.0 || request.at("m") != 0.0) {
+    tube = tube_of(request, request.at("n"), request.at("m"));
+  }
   for (const Eigen::Vector3d& direction : directions) {
-    arms.push_back({direction, request.at("length"), request.at("radius")});
+    arms.push_back({direction, request.at("length"), request.at("radius"), tube});
   }
   return junction_of(request, arms);
 }
 
 Arm arm_of(const Request& request, const std::vector<double>& numbers) {
   const std::size_t n = numbers.size();
-  if (n < 3 || n > 5) {
+  constexpr std::size_t with_tube = 6;
+  if (n < 3 || n > with_tube) {
     throw InvalidOption(concat("make_shape: ", request.shape,
-                               ": an arm is x y z [length [radius]], ",
-                               "three to five numbers, not ", n));
+                               ": an arm is x y z [length [radius]] or x y z length n m, ",
+                               "three to six numbers, not ", n));
   }
   Arm arm = {.direction = {numbers[0], numbers[1], numbers[2]},
              .length = n > 3 ? numbers[3] : request.at("length"),
-             .radius = n > 4 ? numbers[4] : request.at("radius")};
+             .radius = n == 5 ? numbers[4] : request.at("radius")};
   if (arm.direction.isZero(0.0) || !(arm.length > 0.0) || !(arm.radius > 0.0)) {
     throw InvalidOption(concat("make_shape: ", request.shape,
                                ": an arm needs a direction, and a length and radius > 0"));
   }
+  if (n == with_tube) arm.tube = tube_of(request, numbers[4], numbers[5]);
   return arm;
 }
 
@@ -241,6 +292,11 @@ TriMesh junction(const Request& request) {
   std::vector<Arm> arms;
   arms.reserve(request.lists.size());
   for (const std::vector<double>& numbers : request.lists) arms.push_back(arm_of(request, numbers));
+  // Tubes are as thick as they are around; the first has the radius of all.
+  for (Arm& arm : arms) {
+    if (!arm.tube || !arms.front().tube) continue;
+    arm.radius *= circumference_of(*arm.tube) / circumference_of(*arms.front().tube);
+  }
   return junction_of(request, arms);
 }
 

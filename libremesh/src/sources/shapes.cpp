@@ -30,8 +30,14 @@ const std::vector<BuiltInShape>& shape_table() {
   std::vector<ShapeParameter> any_arms = arms;
   any_arms.push_back({"arm", 0.0,
                       "direction x y z of an arm, its length and radius if they differ; "
-                      "once for each arm, as in 'junction:arm=1 0 0,arm=-1 0 0,arm=0 1 1 6 0.8'",
+                      "once for each arm, as in 'junction:arm=1 0 0,arm=-1 0 0,arm=0 1 1 6 0.8'. "
+                      "Or, of open arms, direction, length and chiral indices: 'arm=0 1 1 6 8 4'",
                       true});
+  std::vector<ShapeParameter> equal_arms = arms;
+  equal_arms.push_back({"n", 0.0,
+                        "of open arms that end as (n,m) nanotubes: first chiral index, which sets "
+                        "the size; 0: any tubes"});
+  equal_arms.push_back({"m", 0.0, "second chiral index"});
   const auto tubes = [](double edge) {
     return std::vector<ShapeParameter>{{"a", edge, "edge of the cell"},
                                        {"radius", 1.0, "radius of the tubes"},
@@ -65,11 +71,12 @@ const std::vector<BuiltInShape>& shape_table() {
          {"amplitude", 0.1, "amplitude; may be 0 or negative"},
          {"wavelength", 1.0, "wavelength along x and y"}}},
        wavy_sheet},
-      {{"y-junction", "three tubes at 120 degrees to each other", arms}, y_junction},
-      {{"t-junction", "a tube that meets another at a right angle", arms}, t_junction},
-      {{"x-junction", "two tubes that cross at right angles", arms}, x_junction},
-      {{"tetrapod", "four tubes towards the corners of a tetrahedron", arms}, tetrapod},
-      {{"six-arm-junction", "three tubes that cross at right angles", arms}, six_arm_junction},
+      {{"y-junction", "three tubes at 120 degrees to each other", equal_arms}, y_junction},
+      {{"t-junction", "a tube that meets another at a right angle", equal_arms}, t_junction},
+      {{"x-junction", "two tubes that cross at right angles", equal_arms}, x_junction},
+      {{"tetrapod", "four tubes towards the corners of a tetrahedron", equal_arms}, tetrapod},
+      {{"six-arm-junction", "three tubes that cross at right angles", equal_arms},
+       six_arm_junction},
       {{"junction", "any number of tubes that meet", any_arms}, junction},
       {{"cubic-network", "periodic: tubes along the edges of a cubic lattice", tubes(6.0)},
        cubic_network},

@@ -15,6 +15,7 @@
 #include "trivalent/potentials/relax.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
+#include "trivalent/remesh/tube_ends.h"
 #include "trivalent/shell/build_shell.h"
 #include "trivalent/shell/energy_budget.h"
 #include "trivalent/shell/json.h"
@@ -72,6 +73,8 @@ struct BuildResult {
   /// Of the net carried along by the atoms that were relaxed; none if that was stopped.
   std::optional<remesh::TwoSidedDistance> distance_at_rest = {};
   dual::NetworkReport network = {};  ///< of the carbon atoms, as they are in the end
+  /// What tube each open end of the net is that of; none where it is no tube's.
+  std::vector<std::optional<remesh::ChiralIndices>> tube_ends = {};
   dual::HydrogenCaps caps = {};
   PotentialChoice potential = {};
   double graphene = 0.0;  ///< an atom's energy in graphene under the potential [eV]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,12 +34,16 @@ struct WallOptions {
 using ShellSize = std::variant<AtomCount, LongestSide, Scale>;
 
 struct ShellOptions {
-  ShellSize size = AtomCount{};
+  /// None: that of the tubes which the surface is to end in (set_tube_end()), or AtomCount{}.
+  std::optional<ShellSize> size = {};
   double bond = default_bond_length;  ///< wanted mean bond length [Å], > 0
   /// How the net is made; its target_edge_length follows from size and bond.
   remesh::RemeshMethod method = {};
   WallOptions walls = {};
 };
+
+/// The size that is given, or that is taken instead.
+[[nodiscard]] ShellSize size_of(const remesh::TriMesh& surface, const ShellOptions& options);
 
 /// What a shell would come to.
 struct ShellEstimate {

@@ -9,6 +9,7 @@
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/mesh_quality.h"
 #include "trivalent/remesh/remesh.h"
+#include "trivalent/remesh/tube_ends.h"
 #include "trivalent/shell/json.h"
 #include "trivalent/view/color_scale.h"
 #include "trivalent/view/table_row.h"
@@ -38,6 +39,8 @@ using dual::TableRow;
 [[nodiscard]] std::string histogram_text(const std::map<int, int>& histogram);
 /// The number of pairs of faces that intersect, as far as they were counted.
 [[nodiscard]] std::string crossings_text(int pairs);
+/// As (10,10).
+[[nodiscard]] std::string tube_text(const remesh::ChiralIndices& tube);
 
 [[nodiscard]] std::vector<TableRow> quality_rows(const remesh::MeshQuality& quality);
 /// Nothing for a single component, which the quality describes.

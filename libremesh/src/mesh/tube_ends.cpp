@@ -1,0 +1,98 @@
+#include "trivalent/remesh/tube_ends.h"
+
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/adjacency.h"
+#include "mesh/geometry.h"
+#include "mesh/lattice_path.h"
+
+namespace trivalent::remesh {
+
+namespace {
+
+constexpr const char* property_name = "tube that ends here";
+
+double length_of(const LatticeStep& v) {
+  return std::sqrt(v.x() * v.x() + v.x() * v.y() + v.y() * v.y());
+}
+
+}  // namespace
+
+double circumference_of(ChiralIndices tube) { return length_of({tube.n, tube.m}); }
+
+double LatticePath::distance_to(const ChiralIndices& tube) const {
+  double least = std::numeric_limits<double>::infinity();
+  LatticeStep around = {tube.n, tube.m};
+  constexpr int directions = 6;
+  for (int i = 0; i < directions; ++i) {
+    least = std::min(least, length_of(sum - around));
+    around = turned(around);
+  }
+  return least;
+}
+
+void set_tube_end(TriMesh& surface, VertexHandle v, ChiralIndices tube) {
+  auto tubes = OpenMesh::getOrMakeProperty<VertexHandle, ChiralIndices>(surface, property_name);
+  tubes[v] = tube;
+}
+
+std::optional<ChiralIndices> tube_end(const TriMesh& surface, VertexHandle v) {
+  OpenMesh::VPropHandleT<ChiralIndices> tubes;
+  if (!surface.get_property_handle(tubes, property_name)) return std::nullopt;
+  const ChiralIndices tube = surface.property(tubes, v);
+  return tube == ChiralIndices{} ? std::nullopt : std::optional(tube);
+}
+
+namespace {
+
+/// What was said of one of the vertices.
+std::optional<ChiralIndices> tube_end_of(const TriMesh& surface,
+                                         const std::vector<VertexHandle>& loop) {
+  for (const VertexHandle v : loop) {
+    if (const auto tube = tube_end(surface, v)) return tube;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<ChiralIndices> wanted_tube_ends(const TriMesh& surface) {
+  std::vector<ChiralIndices> tubes;
+  for (const std::vector<VertexHandle>& loop : boundary_loops(surface)) {
+    if (const auto tube = tube_end_of(surface, loop)) tubes.push_back(*tube);
+  }
+  return tubes;
+}
+
+std::optional<double> edge_length_of_tubes(const TriMesh& surface) {
+  double length = 0.0;
+  double edges = 0.0;
+  for (const std::vector<VertexHandle>& loop : boundary_loops(surface)) {
+    const std::optional<ChiralIndices> tube = tube_end_of(surface, loop);
+    if (!tube) continue;
+    for (const VertexHandle v : loop) {
+      length += std::sqrt(squared_length(surface, surface.halfedge_handle(v)));
+    }
+    edges += circumference_of(*tube);
+  }
+  return edges > 0.0 ? std::optional(length / edges) : std::nullopt;
+}
+
+std::vector<std::optional<ChiralIndices>> find_tube_ends(const TriMesh& net) {
+  std::vector<std::optional<ChiralIndices>> tubes;
+  for (const std::vector<VertexHandle>& loop : boundary_loops(net)) {
+    LatticePath path;
+    for (const VertexHandle v : loop) path.go(static_cast<int>(net.valence(v)) - 4);
+    tubes.emplace_back();
+    if (path.deviation != 0 || path.sum.isZero()) continue;
+    while (path.sum.x() <= 0 || path.sum.y() < 0) path.sum = turned(path.sum);
+    tubes.back() = {path.sum.x(), path.sum.y()};
+  }
+  return tubes;
+}
+
+}  // namespace trivalent::remesh
