@@ -154,6 +154,18 @@ TEST(CrystallizeNet, IsTheSameInSpaceOnAnyNumberOfThreads) {
   EXPECT_EQ(nets[0], nets[1]);
 }
 
+TEST(CrystallizeNet, DoesNotDependOnTheUnitOfLength) {
+  TriMesh capsule = make_shape("capsule", {}, 0.2);
+  CrystalOptions options = quick(0.2);
+  options.rest = NetRest::in_space;
+  const RemeshResult small = crystallize(capsule, options);
+  constexpr double factor = 1024.0;  // exact
+  scale(capsule, factor);
+  options.target_edge_length *= factor;
+  const RemeshResult large = crystallize(capsule, options);
+  EXPECT_EQ(triangles_of(small.mesh), triangles_of(large.mesh));
+}
+
 TEST(CrystallizeNet, DependsOnTheSeed) {
   const TriMesh torus = make_shape("torus", {}, 0.16);
   CrystalOptions other = quick(0.15);

@@ -15,9 +15,9 @@ namespace trivalent::remesh {
 
 namespace {
 
-/// Farther than this [m] from the net a part of the surface is left out: where carbon is at rest it
-/// is up to five edges away from a smooth surface.
-constexpr double max_reach = 6.0;
+/// Farther than this [m] from the net a part of the surface is left out: carbon at rest draws back
+/// from tips, by up to eight edges from the bunny's ears.
+constexpr double max_reach = 10.0;
 
 /// The net of a crystal's primitive cell, copied into its own; none if that cell is the smallest,
 /// has no number of faces near the wanted one, or no net.
@@ -37,7 +37,7 @@ std::optional<FoundNet> search_primitive_cell(const TriMesh& mesh, CrystalOption
   std::optional<FoundNet> net =
       search_membrane({surface, find_creases(surface, {})}, options, watch);
   if (!net) return std::nullopt;
-  const Flaws flaws = find_flaws(net->mesh, surface, m, max_reach);
+  const Flaws flaws = find_flaws(net->mesh, surface, m, max_reach * m);
   if (flaws.sum() > 0.0 && !watch.stopped()) return std::nullopt;
   net->mesh = in_supercell(net->mesh, mesh.lattice);
   net->copies = cell->copies;
@@ -59,12 +59,12 @@ std::optional<FoundNet> search(const SearchSurface& surface, const CrystalOption
   }
   if (!membrane) return search_springs(surface, options, watch);
   const double m = options.target_edge_length;
-  const Flaws flaws = find_flaws(membrane->mesh, surface.mesh, m, max_reach);
+  const Flaws flaws = find_flaws(membrane->mesh, surface.mesh, m, max_reach * m);
   const bool is_sound = flaws.left_out == 0.0 && flaws.crossings <= count_crossings(surface.mesh);
   if (is_sound) return membrane;
   std::optional<FoundNet> springs = search_springs(surface, options, watch);
   if (!springs) return membrane;
-  const Flaws other = find_flaws(springs->mesh, surface.mesh, m, max_reach);
+  const Flaws other = find_flaws(springs->mesh, surface.mesh, m, max_reach * m);
   return other.sum() < flaws.sum() ? std::move(springs) : std::move(membrane);
 }
 

@@ -39,7 +39,8 @@ struct Flaws {
     return crossings <= other.crossings && left_out < other.left_out;
   }
 };
-/// @param reach  Farther than this from the net a vertex of the surface is far, in m.
+/// @param m      Length of the edges.
+/// @param reach  Farther than this from the net a vertex of the surface is far [mesh's unit].
 [[nodiscard]] Flaws find_flaws(const TriMesh& net, const TriMesh& surface, double m, double reach);
 
 }  // namespace trivalent::remesh
