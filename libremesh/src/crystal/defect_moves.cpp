@@ -76,8 +76,10 @@ std::vector<VertexHandle> disjoint_sites(const TriMesh& mesh, const std::vector<
   std::vector<std::pair<std::uint64_t, VertexHandle>> irregular;
   for (const auto v : mesh.vertices()) {
     if (std::abs(deviations[index(v)]) < choice.min_deviation) continue;
-    if (v.is_boundary() && !choice.on_boundaries) continue;
-    irregular.emplace_back(hashed(choice.seed, static_cast<std::uint64_t>(v.idx())), v);
+    const std::uint64_t random = hashed(choice.seed, static_cast<std::uint64_t>(v.idx()));
+    const std::uint64_t rounds = choice.rounds_per_boundary;
+    if (v.is_boundary() && (rounds == 0 || random % rounds != 0)) continue;
+    irregular.emplace_back(random, v);
   }
   std::sort(irregular.begin(), irregular.end());
   std::vector<VertexHandle> sites;

@@ -63,7 +63,8 @@ struct SiteChoice {
   int rings;              ///< vertices up to so many edges from two sites are different ones
   int min_deviation = 1;  ///< of the valence from 6, or 4 on a boundary
   std::uint64_t seed = 0;
-  bool on_boundaries = false;  ///< vertices of open edges, too
+  /// Vertices of open edges are tried once in so many rounds; 0: never.
+  std::uint64_t rounds_per_boundary = 0;
 };
 
 /// Irregular vertices in random order, those left out whose patch would touch an earlier one.

@@ -21,8 +21,8 @@ namespace trivalent::remesh {
 ///   + ¼ λ (F - F0)²                         F faces: two for each vertex
 ///   + k_e Σ Δ²                              Δ edges too many or too few on a boundary curve
 ///   + k_q Σ (Q - Q0)²                       Q: Σ (valence - 4) of a boundary; Q0: of the surface's
-///   + k_c Σ |C - C0| + k_e Σ Δ²             C: sum of the edges of a boundary in the net's
-///   lattice;
+///   or, at the end of a given tube, k_c Σ (|C - C0| + |Q - Q0|) + k_e Σ Δ²
+///                                           C: sum of a boundary's edges in the net's lattice,
 ///                                           C0: of the tube that ends there
 ///
 /// k, κ and k_t are the same for every L: those of the continuum. L_e is L between hexagons, and
@@ -76,9 +76,9 @@ struct Membrane {
   [[nodiscard]] double boundary_count_energy(double curve_length, int edges) const;
   /// k_q (Q - Q0)² [eV] of a boundary that turns by Q - Q0 sixths more than that of the surface.
   [[nodiscard]] double turn_energy(double excess) const;
-  /// k_c |C - C0| + k_e Δ² [eV] of a boundary that is to be the end of a tube.
+  /// k_c (|C - C0| + |Q - Q0|) + k_e Δ² [eV] of a boundary that is to be the end of a tube.
   ///
-  /// @param distance  |C - C0| [edges].
+  /// @param distance  |C - C0| + |Q - Q0| [edges, sixths of a turn].
   /// @param excess    Δ: edges more than the shortest path around the tube has.
   [[nodiscard]] double tube_energy(double distance, int excess) const;
   /// ¼ λ (F - F0)² [eV] for F - F0 faces too many.

@@ -84,11 +84,12 @@ class MembraneAnnealing {
   }
 
   int play_round() {
-    const std::vector<VertexHandle> sites = disjoint_sites(mesh_, deviations_at_rims(),
-                                                           {.rings = MembranePatch::reach.inner,
-                                                            .min_deviation = options_.min_deviation,
-                                                            .seed = seed_,
-                                                            .on_boundaries = true});
+    const std::vector<VertexHandle> sites =
+        disjoint_sites(mesh_, deviations_at_rims(),
+                       {.rings = MembranePatch::reach.inner,
+                        .min_deviation = options_.min_deviation,
+                        .seed = seed_,
+                        .rounds_per_boundary = rounds_per_boundary()});
     const double reach = contact_skin * net_.membrane().contact_distance();
     const PointGrid grid(mesh_, reach, reach);
     std::vector<Decision> decisions(sites.size());
@@ -102,6 +103,13 @@ class MembraneAnnealing {
       ++moves;
     }
     return moves;
+  }
+
+  /// Along the armchair end of a tube all vertices are irregular: they would leave few rounds to
+  /// the defects inside.
+  [[nodiscard]] std::uint64_t rounds_per_boundary() const {
+    const auto is_tube = [](const FeatureCurves::Boundary& end) { return end.tube.has_value(); };
+    return std::ranges::any_of(net_.constrained().curves().boundaries(), is_tube) ? 8 : 1;
   }
 
   /// The deviations, with all vertices irregular along rims that are not those of their tubes yet:

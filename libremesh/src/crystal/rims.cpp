@@ -103,15 +103,12 @@ std::vector<Rim> rims_after(const ConstrainedMesh& net, const PatchTopology& pat
 
 double rim_energy(const Membrane& membrane, const FeatureCurves& curves, const Rim& rim) {
   const FeatureCurves::Boundary& boundary = curves.boundaries()[index(rim.boundary)];
-  const double wanted = -3.0 / std::numbers::pi * boundary.turn;
-  double energy = membrane.turn_energy(rim.path.deviation - wanted);
-  if (boundary.tube) {
-    const int coarseness = static_cast<int>(std::lround(membrane.coarseness()));
-    const ChiralIndices tube = {boundary.tube->n / coarseness, boundary.tube->m / coarseness};
-    const int excess = rim.path.edges - tube.n - tube.m;
-    energy += membrane.tube_energy(rim.path.distance_to(tube), excess);
-  }
-  return energy;
+  const double excess = rim.path.deviation + 3.0 / std::numbers::pi * boundary.turn;
+  if (!boundary.tube) return membrane.turn_energy(excess);
+  const int coarseness = static_cast<int>(std::lround(membrane.coarseness()));
+  const ChiralIndices tube = {boundary.tube->n / coarseness, boundary.tube->m / coarseness};
+  return membrane.tube_energy(rim.path.distance_to(tube) + std::abs(excess),
+                              rim.path.edges - tube.n - tube.m);
 }
 
 double rim_energy(const Membrane& membrane, const ConstrainedMesh& net) {
