@@ -81,6 +81,30 @@ TEST(TubeEnds, AreNoneWhereANetTurnsAlongItsBoundary) {
   EXPECT_TRUE(find_tube_ends(testing_support::icosahedron()).empty());
 }
 
+TEST(TubeEnds, AreNoneAlongAPeriodicRibbon) {
+  // Eight columns and four rows of triangles, joined along x.
+  constexpr int columns = 8;
+  constexpr int rows = 4;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<int, 3>> triangles;
+  const auto number = [](int i, int j) { return j * columns + i % columns; };
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      points.emplace_back(i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j, 0.0);
+      if (j == rows) continue;
+      triangles.push_back({number(i, j), number(i + 1, j), number(i, j + 1)});
+      triangles.push_back({number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  }
+  TriMesh ribbon = make_mesh(points, triangles);
+  EXPECT_EQ(find_tube_ends(ribbon).front(), (ChiralIndices{columns, 0}));  // as a tube
+  ribbon.lattice = Lattice(Eigen::Vector3d(columns, 20.0, 20.0).asDiagonal().toDenseMatrix(),
+                           {true, false, false});
+  const auto ends = find_tube_ends(ribbon);
+  ASSERT_EQ(ends.size(), 2u);
+  for (const auto& end : ends) EXPECT_FALSE(end.has_value());
+}
+
 TEST(TubeEnds, CircumferencesAreThoseOfTheLattice) {
   EXPECT_DOUBLE_EQ(circumference_of({7, 0}), 7.0);
   EXPECT_DOUBLE_EQ(circumference_of({10, 10}), 10.0 * std::numbers::sqrt3);

@@ -10,6 +10,7 @@
 #include "trivalent/dual/error.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/remesh/tube_ends.h"
 #include "trivalent/shell/inspect.h"
 #include "trivalent/shell/mesh_dual.h"
 #include "trivalent/shell/remesh_surface.h"
@@ -129,6 +130,10 @@ SurfaceSource surface_source(const py::object& source) {
   if (py::isinstance<Surface>(source)) {
     const auto& surface = source.cast<const Surface&>();
     if (surface.mesh.lattice.is_periodic()) return surface;
+    if (!remesh::wanted_tube_ends(surface.mesh).empty()) {  // which triangles do not hold
+      throw remesh::InvalidOption(
+          "a junction with chiral indices is taken by its name, as 'y-junction:open=1,n=10,m=10'");
+    }
     return soup_of_mesh(surface);
   }
   return soup_of_arrays(source.cast<py::tuple>());

@@ -86,9 +86,15 @@ std::vector<std::optional<ChiralIndices>> find_tube_ends(const TriMesh& net) {
   std::vector<std::optional<ChiralIndices>> tubes;
   for (const std::vector<VertexHandle>& loop : boundary_loops(net)) {
     LatticePath path;
-    for (const VertexHandle v : loop) path.go(static_cast<int>(net.valence(v)) - 4);
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+    for (const VertexHandle v : loop) {
+      path.go(static_cast<int>(net.valence(v)) - 4);
+      translation += edge_vector(net, net.halfedge_handle(v));
+    }
     tubes.emplace_back();
-    if (path.deviation != 0 || path.sum.isZero()) continue;
+    // The edge of a ribbon leads to an image of itself, not around a tube.
+    const bool is_ribbon = net.lattice.image_of(translation) != Lattice::Image{};
+    if (path.deviation != 0 || path.sum.isZero() || is_ribbon) continue;
     while (path.sum.x() <= 0 || path.sum.y() < 0) path.sum = turned(path.sum);
     tubes.back() = {path.sum.x(), path.sum.y()};
   }
