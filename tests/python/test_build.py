@@ -167,6 +167,12 @@ def test_a_cell_without_periodic_directions_is_refused() -> None:
         trivalent.build("sheet.off", cell=10.0, pbc=False)
 
 
+def test_chiral_indices_of_arms_are_not_lost() -> None:
+    surface = trivalent.shape("y-junction:open=1,n=6,m=0", 0.3)
+    with pytest.raises(trivalent.InvalidOption, match="by its name"):
+        trivalent.build(surface)
+
+
 def test_other_interrupts_are_refused() -> None:
     with pytest.raises(trivalent.InvalidOption, match="raise or keep"):
         trivalent.build("torus", on_interrupt="other")  # type: ignore[arg-type]
