@@ -15,8 +15,9 @@ class Lbfgs {
 
   struct Limits {
     int max_steps;
-    Scalar max_move;   ///< largest change of a component in one step
-    Scalar tolerance;  ///< ends once the predicted decrease is less [energy]
+    Scalar max_move;       ///< largest change of a component in one step
+    Scalar tolerance;      ///< ends once the predicted decrease is less [energy]
+    bool rescales = true;  ///< whether the preconditioner is right only but for a factor
   };
 
   /// Moves x towards a minimum.
@@ -29,6 +30,7 @@ class Lbfgs {
   Scalar minimize(Vector& x, const Limits& limits, const Evaluate& evaluate,
                   const Precondition& precondition, const GivesUp& gives_up) {
     kept_ = 0;
+    scale_ = Scalar(1);
     gradient_.resize(x.size());
     Scalar energy = evaluate(x, gradient_);
     for (int step = 0; step < limits.max_steps; ++step) {
@@ -42,7 +44,7 @@ class Lbfgs {
       const Scalar predicted = Scalar(-0.5) * slope;
       if (!(predicted > limits.tolerance) || gives_up(energy, predicted)) break;
       if (!search(x, energy, slope, limits, evaluate)) break;
-      rescale(precondition);
+      if (limits.rescales) rescale(precondition);
     }
     return energy;
   }
@@ -68,7 +70,7 @@ class Lbfgs {
     }
   }
 
-  /// The preconditioner is right but for a factor, which the last step tells.
+  /// The last step tells the factor of the preconditioner.
   template <typename Precondition>
   void rescale(const Precondition& precondition) {
     if (kept_ == 0) return;

@@ -5,6 +5,7 @@
 
 #include "crystal/lbfgs.h"
 #include "crystal/membrane.h"
+#include "crystal/membrane_laplacian.h"
 #include "crystal/membrane_preconditioner.h"
 #include "crystal/vertex_images.h"
 
@@ -13,7 +14,8 @@ namespace trivalent::remesh {
 /// When a membrane counts as relaxed.
 struct MembraneLimits {
   int max_steps;
-  double tolerance;  ///< [eV] ends once the predicted decrease is less
+  double tolerance;         ///< [eV] ends once the predicted decrease is less
+  bool across_net = false;  ///< steps reach across the whole net, but take longer to prepare
 };
 
 /// A membrane's terms in a cell: images of vertices move with them.
@@ -41,7 +43,6 @@ double minimize_membrane(Lbfgs<double>& minimizer, const MembraneInCell& cell,
   }
   cell.images.place(cell.lattice, lanes);
   std::vector<Lanes<double>> slopes(lanes.size());
-  const MembranePreconditioner<double> inverse(cell.membrane, cell.terms, lanes, n, cell.images);
   const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
     std::copy_n(at.data(), at.size(), lanes[0].data());
     cell.images.place(cell.lattice, lanes);
@@ -51,12 +52,19 @@ double minimize_membrane(Lbfgs<double>& minimizer, const MembraneInCell& cell,
     std::copy_n(slopes[0].data(), at.size(), gradient.data());
     return energy;
   };
-  const double energy = minimizer.minimize(
-      x,
-      {.max_steps = limits.max_steps,
-       .max_move = 0.3 * cell.membrane.length,
-       .tolerance = limits.tolerance},
-      evaluate, [&](Lbfgs<double>::Vector& v) { inverse.apply(v); }, gives_up);
+  const auto minimize = [&](const auto& inverse) {
+    return minimizer.minimize(
+        x,
+        {.max_steps = limits.max_steps,
+         .max_move = 0.3 * cell.membrane.length,
+         .tolerance = limits.tolerance,
+         .rescales = !limits.across_net},
+        evaluate, [&](Lbfgs<double>::Vector& v) { inverse.apply(v); }, gives_up);
+  };
+  const double energy = limits.across_net
+                            ? minimize(MembraneLaplacian(cell.membrane, cell.terms, n, cell.images))
+                            : minimize(MembranePreconditioner<double>(cell.membrane, cell.terms,
+                                                                      lanes, n, cell.images));
   for (std::size_t i = 0; i < n; ++i) {
     positions[i] = x.segment<3>(4 * static_cast<Eigen::Index>(i));
   }

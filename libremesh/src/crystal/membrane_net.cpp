@@ -246,13 +246,21 @@ void MembraneNet::add_contacts(MembraneTerms<double>& terms, VertexImages& image
 }
 
 void MembraneNet::relax(int steps, const std::function<bool()>& should_stop) {
+  minimize(steps, false, should_stop);
+}
+
+void MembraneNet::relax_across(int steps, const std::function<bool()>& should_stop) {
+  minimize(steps, true, should_stop);
+}
+
+void MembraneNet::minimize(int steps, bool across_net, const std::function<bool()>& should_stop) {
   TriMesh& mesh = constrained_.mesh;
   VertexImages images(mesh.n_vertices());
   const MembraneTerms<double> all = terms(images);
   std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
   const double tolerance = 1e-6 * static_cast<double>(positions.size());
   minimize_membrane(minimizer_, {membrane_, all, images, mesh.lattice}, positions,
-                    {steps, tolerance},
+                    {.max_steps = steps, .tolerance = tolerance, .across_net = across_net},
                     [&](double, double) { return should_stop && should_stop(); });
   for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
 }

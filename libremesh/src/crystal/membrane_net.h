@@ -59,6 +59,8 @@ class MembraneNet {
   ///
   /// @param should_stop  Asked before every step; once it returns true, the rest are left out.
   void relax(int steps, const std::function<bool()>& should_stop = {});
+  /// The same with steps that reach across the whole net, for one that is far from its minimum.
+  void relax_across(int steps, const std::function<bool()>& should_stop = {});
 
   /// Energy per vertex without cores and count [eV].
   [[nodiscard]] double elastic_energy();
@@ -71,6 +73,7 @@ class MembraneNet {
                                                      const PointGrid& grid) const;
   [[nodiscard]] MembraneTerms<double> terms(VertexImages& images) const;
   void add_contacts(MembraneTerms<double>& terms, VertexImages& images) const;
+  void minimize(int steps, bool across_net, const std::function<bool()>& should_stop);
 
   ConstrainedMesh& constrained_;
   Membrane membrane_;

@@ -336,9 +336,9 @@ class MembraneSearch {
     if (watch_.stopped()) {
       net.relax(hasty_steps);
     } else {
-      net.relax(closing_steps, watch_.question());
+      net.relax_across(closing_steps, watch_.question());
       net.renew();
-      net.relax(closing_steps, watch_.question());
+      net.relax_across(closing_steps, watch_.question());
     }
     return energy_of(net, wanted_faces(levels.back()));
   }
