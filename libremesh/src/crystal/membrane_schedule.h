@@ -28,8 +28,9 @@ struct Level {
   double hot;            ///< [eV] temperature at which an order begins
   double molten;         ///< [eV] the same of every other one: crystals turn only once they melt
 };
-inline constexpr std::array<Level, 4> levels = {
-    {{8, 3.7, 0.6, 7.2, 0.0, 200, 4, 1.5e6, 5000, 4.0, 4.0},
+inline constexpr std::array<Level, 5> levels = {
+    {{16, 4.6, 1.5, 9.0, 0.0, 200, 4, 1.5e6, 5000, 4.0, 4.0},
+     {8, 3.7, 0.6, 7.2, 0.0, 200, 4, 1.5e6, 5000, 4.0, 4.0},
      {4, 2.8, -0.3, 5.4, 0.0, 350, 4, 1.5e6, 5000, 4.0, 4.0},
      {2, 1.9, -1.2, 3.6, 0.0, 150, 4, 6.0e6, 5000, 4.0, 4.0},
      {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0, 4.0}}};

@@ -50,20 +50,28 @@ bool is_held(const CrystalOptions& options) {
 
 double tether_factor(const TriMesh& surface, double area) {
   const double radius = mean_radius(surface, area);
+  // Rough shapes have smaller radii of curvature than their size allows for.
+  constexpr double sides_of_radius = 7.0;  // √area of smooth shapes, at most
+  const double size_of_shape = std::sqrt(area) / sides_of_radius;
   // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
   // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000
-  // atoms an exponent of 4 leaves fewer of them than 3. An open sheet that nothing holds flattens.
+  // atoms an exponent of 4 leaves fewer of them than 3. The bumps of a rough surface ask for pairs
+  // of their own: of the bunny with 200,000 atoms all that a net of 30,000 would not show. With an
+  // exponent of 2 for its size 50 pentagons are left of 84; with 4, ears are lost. An open sheet
+  // that nothing holds flattens.
   constexpr double large = 40.0;  // [Å]
-  if (radius > large) return has_boundary(surface) ? 1.0 : std::pow(large / radius, 4.0);
+  if (std::max(radius, size_of_shape) > large) {
+    if (has_boundary(surface)) return 1.0;
+    const double of_radius = std::pow(large / std::max(radius, large), 4.0);
+    const double of_size = std::pow(large / std::max(size_of_shape, large), 2.0);
+    return std::min(of_radius, of_size);
+  }
   // A net that may leave a small shape by several Å takes another one, with defects of its own:
   // arms of a junction become a pyramid. Spheres of up to 960 atoms, tori, capsules, P and gyroid
-  // have lower energies when they are held, a sphere of 2,160 atoms when it is not. Rough shapes
-  // have smaller radii of curvature than their size allows for.
-  constexpr double small = 21.0;           // [Å]
-  constexpr double sides_of_radius = 7.0;  // √area of smooth shapes, at most
+  // have lower energies when they are held, a sphere of 2,160 atoms when it is not.
+  constexpr double small = 21.0;  // [Å]
   constexpr double max_factor = 33.0;
-  const double size = std::max(radius, std::sqrt(area) / sides_of_radius);
-  return std::clamp(std::pow(small / size, 6.5), 1.0, max_factor);
+  return std::clamp(std::pow(small / std::max(radius, size_of_shape), 6.5), 1.0, max_factor);
 }
 
 }  // namespace trivalent::remesh
