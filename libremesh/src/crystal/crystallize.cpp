@@ -6,6 +6,7 @@
 
 #include "crystal/membrane_search.h"
 #include "crystal/primitive_cell.h"
+#include "crystal/tether_strength.h"
 #include "equalize/paper_loop.h"
 #include "trivalent/remesh/error.h"
 #include "trivalent/remesh/periodic.h"
@@ -16,12 +17,13 @@ namespace trivalent::remesh {
 namespace {
 
 /// Farther than this from the net a part of the surface is left out. Carbon at rest draws back from
-/// tips: from the bunny's ears by eight edges in nets of 10,000 vertices, by eleven in those of
-/// 100,000, which are 3.5 % of the diagonal.
+/// tips: from the bunny's ears by eight edges in nets of 10,000 vertices, and by more in larger
+/// ones, which are as far a part of the ears. More cells of a crystal are no larger shape.
 double max_reach(const TriMesh& surface, double m) {
   constexpr double edges = 10.0;
-  constexpr double of_diagonal = 0.05;
-  return std::max(edges * m, of_diagonal * bounding_box(surface).diagonal());
+  constexpr double of_size = 0.055;
+  if (surface.lattice.is_periodic()) return edges * m;
+  return std::max(edges * m, of_size * size_of_component(surface));
 }
 
 /// The net of a crystal's primitive cell, copied into its own; none if that cell is the smallest,

@@ -48,30 +48,37 @@ bool is_held(const CrystalOptions& options) {
   return options.stiffness || options.follow == Follow::close;
 }
 
+double size_of_component(const TriMesh& surface) {
+  const auto components = static_cast<double>(find_components(surface).parts.size());
+  return std::sqrt(surface_area(surface) / components);
+}
+
 double tether_factor(const TriMesh& surface, double area) {
   const double radius = mean_radius(surface, area);
   // Rough shapes have smaller radii of curvature than their size allows for.
   constexpr double sides_of_radius = 7.0;  // √area of smooth shapes, at most
-  const double size_of_shape = std::sqrt(area) / sides_of_radius;
+  const double size = size_of_component(surface) / sides_of_radius;
   // Buckling by a given part of the radius costs the tether R⁴, and gains what scars of pairs cost,
   // R: without this, spheres of more than 10,000 atoms keep their scars. On a sphere of 20,000
-  // atoms an exponent of 4 leaves fewer of them than 3. The bumps of a rough surface ask for pairs
-  // of their own: of the bunny with 200,000 atoms all that a net of 30,000 would not show. With an
-  // exponent of 2 for its size 50 pentagons are left of 84; with 4, ears are lost. An open sheet
-  // that nothing holds flattens.
+  // atoms an exponent of 4 leaves fewer of them than 3. An open sheet that nothing holds flattens.
   constexpr double large = 40.0;  // [Å]
-  if (std::max(radius, size_of_shape) > large) {
-    if (has_boundary(surface)) return 1.0;
-    const double of_radius = std::pow(large / std::max(radius, large), 4.0);
-    const double of_size = std::pow(large / std::max(size_of_shape, large), 2.0);
-    return std::min(of_radius, of_size);
-  }
+  const double of_radius = std::pow(large / std::max(radius, large), 4.0);
+  // The bumps of a rough surface ask for pairs of their own: of the bunny with 200,000 atoms all
+  // that a net of 30,000 would not show. An exponent of 2 leaves 50 of its 84 pentagons; with 4,
+  // ears are lost. Where arms are thin the tether still forms them: it does where the surface bends
+  // in less than 2π (κ/k_t)^¼, with k_t by area. More cells of a crystal are no larger shape.
+  constexpr double thin = 12.0;  // [Å]
+  const double of_size =
+      std::max(std::pow(large / std::max(size, large), 2.0), std::pow(thin / radius, 4.0));
+  const double slackening =
+      surface.lattice.is_periodic() ? of_radius : std::min(of_radius, of_size);
+  if (slackening < 1.0) return has_boundary(surface) ? 1.0 : slackening;
   // A net that may leave a small shape by several Å takes another one, with defects of its own:
   // arms of a junction become a pyramid. Spheres of up to 960 atoms, tori, capsules, P and gyroid
   // have lower energies when they are held, a sphere of 2,160 atoms when it is not.
   constexpr double small = 21.0;  // [Å]
   constexpr double max_factor = 33.0;
-  return std::clamp(std::pow(small / std::max(radius, size_of_shape), 6.5), 1.0, max_factor);
+  return std::clamp(std::pow(small / std::max(radius, size), 6.5), 1.0, max_factor);
 }
 
 }  // namespace trivalent::remesh

@@ -17,6 +17,9 @@ struct TetherStrength {
 /// Whether the net is held to the surface up to the end, equally on every shape.
 [[nodiscard]] bool is_held(const CrystalOptions& options);
 
+/// √area of a component, on average: how large a shape is.
+[[nodiscard]] double size_of_component(const TriMesh& surface);
+
 /// How much stiffer than on shapes of middling size the tether is, from the curvature.
 ///
 /// @param surface  In Å.
