@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "crystal/membrane_schedule.h"
 #include "crystal/membrane_search.h"
 #include "crystal/primitive_cell.h"
 #include "crystal/tether_strength.h"
@@ -103,6 +104,22 @@ double effort_factor(Effort effort) {
       return 4.0;
   }
   throw InvalidOption("crystallize: unknown effort");
+}
+
+double annealing_work(double vertices, Effort effort) {
+  std::size_t first = 0;
+  const auto vertices_of = [&](std::size_t level) {
+    return vertices / (levels[level].coarseness * levels[level].coarseness);
+  };
+  while (vertices_of(first) < levels[first].min_vertices) ++first;
+  Level level_of_order = levels[first];
+  if (vertices <= max_judged_vertices) level_of_order.max_orders = max_judged_orders;
+  const auto [orders, schedule] = plan_order(level_of_order, vertices_of(first), effort);
+  double work = vertices_of(first) * orders * rounds_for(schedule, effort);
+  for (std::size_t level = first + 1; level < levels.size(); ++level) {
+    work += vertices_of(level) * rounds_for(is_refined(first, level) ? refining : settling, effort);
+  }
+  return work;
 }
 
 RemeshResult crystallize(const TriMesh& mesh, const CrystalOptions& options) {

@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,7 +17,6 @@
 #include "crystal/tether_strength.h"
 #include "mesh/adjacency.h"
 #include "mesh/geometry.h"
-#include "trivalent/remesh/error.h"
 #include "trivalent/remesh/mesh_components.h"
 #include "trivalent/remesh/surface_shape.h"
 #include "trivalent/remesh/tube_ends.h"
@@ -393,22 +391,6 @@ class MembraneSearch {
 };
 
 }  // namespace
-
-double annealing_work(double vertices, Effort effort) {
-  std::size_t first = 0;
-  const auto vertices_of = [&](std::size_t level) {
-    return vertices / (levels[level].coarseness * levels[level].coarseness);
-  };
-  while (vertices_of(first) < levels[first].min_vertices) ++first;
-  Level level_of_order = levels[first];
-  if (vertices <= max_judged_vertices) level_of_order.max_orders = max_judged_orders;
-  const auto [orders, schedule] = plan_order(level_of_order, vertices_of(first), effort);
-  double work = vertices_of(first) * orders * rounds_for(schedule, effort);
-  for (std::size_t level = first + 1; level < levels.size(); ++level) {
-    work += vertices_of(level) * rounds_for(is_refined(first, level) ? refining : settling, effort);
-  }
-  return work;
-}
 
 std::optional<FoundNet> search_membrane(const SearchSurface& surface, const CrystalOptions& options,
                                         SearchWatch& watch) {

@@ -84,9 +84,10 @@ struct CrystalOptions {
 ///
 /// @param mesh  As for remesh().
 /// @return      `iterations` counts rounds of annealing.
-/// @throws InvalidMesh, InvalidOption  as remesh() does; InvalidOption also if the stiffness is not
-///   > 0 and finite, or if the surface is to end in tubes (tube_ends.h) and the net is to stay on it
-///   or the length is more than 3 % off theirs; InvalidMesh also if it is too thin for such a net.
+/// @throws InvalidMesh    as remesh() does, and if the surface is too thin for the tubes it ends
+/// in.
+/// @throws InvalidOption  as remesh() does, and if the stiffness is not > 0 and finite, or if the
+///   surface ends in tubes whose length of edges is 3 % off, or the net is to stay on it.
 /// @throws Stopped  if options.should_stop returns true before there is a net.
 ///
 /// Cost: O(n) patches a round, and a fixed number of rounds.
