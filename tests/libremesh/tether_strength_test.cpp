@@ -29,9 +29,9 @@ TriMesh two_of(const TriMesh& mesh) {
   std::vector<std::array<int, 3>> triangles = triangles_of(mesh);
   const auto n = static_cast<int>(points.size());
   const double apart = 2.0 * bounding_box(mesh).diagonal();
-  for (int i = 0; i < n; ++i)
-    points.emplace_back(points[std::size_t(i)].x() + apart, points[std::size_t(i)].y(),
-                        points[std::size_t(i)].z());
+  for (int i = 0; i < n; ++i) {
+    points.emplace_back(points[std::size_t(i)] + apart * Eigen::Vector3d::UnitX());
+  }
   const std::size_t one = triangles.size();
   for (std::size_t f = 0; f < one; ++f) {
     triangles.push_back({triangles[f][0] + n, triangles[f][1] + n, triangles[f][2] + n});
@@ -63,8 +63,7 @@ TEST(TetherFactor, IsTheSameOfMoreCellsOfALargeCrystal) {
 }
 
 TEST(TetherFactor, OfALargeRoughShapeIsSmallAndOfThinArmsIsNot) {
-  // Tori of one size as large as the bunny with 200,000 atoms: of a tube of 20 Å, and of one of 5
-  // Å.
+  // Tori of one area, that of 120,000 atoms: tubes with radii of 20 and of 5 Å.
   const TriMesh wide = scaled(make_shape("torus", {{"R", 20.0}, {"r", 1.0}}, 0.3), 20.0);
   const TriMesh thin = scaled(make_shape("torus", {{"R", 320.0}, {"r", 1.0}}, 0.5), 5.0);
   EXPECT_LT(factor_of(wide), 0.4);

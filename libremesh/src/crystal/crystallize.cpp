@@ -18,8 +18,8 @@ namespace trivalent::remesh {
 namespace {
 
 /// Farther than this from the net a part of the surface is left out. Carbon at rest draws back from
-/// tips: from the bunny's ears by eight edges in nets of 10,000 vertices, and by more in larger
-/// ones, which are as far a part of the ears. More cells of a crystal are no larger shape.
+/// tips: from the bunny's ears by eight edges in nets of 10,000 vertices, and by more from those of
+/// larger shapes. A periodic surface has no size of its own.
 double max_reach(const TriMesh& surface, double m) {
   constexpr double edges = 10.0;
   constexpr double of_size = 0.055;

@@ -336,7 +336,7 @@ class MembraneSearch {
     } else {
       net.relax_across(closing_steps, watch_.question());
       net.renew();
-      net.relax_across(closing_steps, watch_.question());
+      if (!watch_.should_stop()) net.relax_across(closing_steps, watch_.question());
     }
     return energy_of(net, wanted_faces(levels.back()));
   }

@@ -63,10 +63,10 @@ double tether_factor(const TriMesh& surface, double area) {
   // atoms an exponent of 4 leaves fewer of them than 3. An open sheet that nothing holds flattens.
   constexpr double large = 40.0;  // [Å]
   const double of_radius = std::pow(large / std::max(radius, large), 4.0);
-  // The bumps of a rough surface ask for pairs of their own: of the bunny with 200,000 atoms all
-  // that a net of 30,000 would not show. An exponent of 2 leaves 50 of its 84 pentagons; with 4,
-  // ears are lost. Where arms are thin the tether still forms them: it does where the surface bends
-  // in less than 2π (κ/k_t)^¼, with k_t by area. More cells of a crystal are no larger shape.
+  // The bumps of a rough surface ask for pairs of their own. With the square of the size, the bunny
+  // of 200,000 atoms has 50 pentagons instead of 84; with the fourth power, ears are lost. The
+  // tether forms what is wider than 2π (κ/k)^¼, where k is its stiffness per area: it stays as
+  // stiff as thin arms need it. A periodic surface has no size of its own.
   constexpr double thin = 12.0;  // [Å]
   const double of_size =
       std::max(std::pow(large / std::max(size, large), 2.0), std::pow(thin / radius, 4.0));

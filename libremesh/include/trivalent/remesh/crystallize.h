@@ -84,10 +84,10 @@ struct CrystalOptions {
 ///
 /// @param mesh  As for remesh().
 /// @return      `iterations` counts rounds of annealing.
-/// @throws InvalidMesh    as remesh() does, and if the surface is too thin for the tubes it ends
-/// in.
-/// @throws InvalidOption  as remesh() does, and if the stiffness is not > 0 and finite, or if the
-///   surface ends in tubes whose length of edges is 3 % off, or the net is to stay on it.
+/// @throws InvalidMesh    as remesh() does, and if the surface is too thin for tubes it ends in.
+/// @throws InvalidOption  as remesh() does, and if the stiffness is not > 0 and finite. Also if the
+///   surface ends in tubes (tube_ends.h), and m is more than 3 % off their edges or the net is to
+///   stay on the surface.
 /// @throws Stopped  if options.should_stop returns true before there is a net.
 ///
 /// Cost: O(n) patches a round, and a fixed number of rounds.
