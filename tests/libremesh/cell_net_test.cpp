@@ -5,21 +5,25 @@
 #include <cmath>
 #include <map>
 
+#include "crystal/cell_net_places.h"
 #include "crystal/cell_net_search.h"
 #include "crystal/membrane.h"
+#include "crystal/primitive_cell.h"
 #include "trivalent/remesh/remesh.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
 namespace {
 
-/// Schwarz' P surface whose cell holds so many faces of edges as long as a membrane's.
-TriMesh p_surface(double faces) {
-  TriMesh mesh = make_shape("schwarz-p", {}, 0.03);
+/// A surface whose cell holds so many faces of edges as long as a membrane's.
+TriMesh surface_for(std::string_view shape, double faces) {
+  TriMesh mesh = make_shape(shape, {}, 0.03);
   const double area = faces * unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
   scale(mesh, std::sqrt(area / surface_area(mesh)));
   return mesh;
 }
+
+TriMesh p_surface(double faces) { return surface_for("schwarz-p", faces); }
 
 CellNet p_net() {
   return CellNet::of(remesh(p_surface(192.0), {.target_edge_length = Membrane::fine_length}).mesh);
@@ -148,15 +152,61 @@ TEST(PlanCellDivision, ComesFromTheFewestVerticesThatGiveTheNumber) {
 TEST(SearchCellNet, FindsTheTwelveOctagonsOfP) {
   const TriMesh surface = p_surface(192.0);
   const TriMesh start = remesh(surface, {.target_edge_length = Membrane::fine_length}).mesh;
-  const std::vector<CellNet> nets =
-      search_cell_nets(start, SurfaceProjector(surface),
-                       {.division = *plan_cell_division(92, -4), .runs = 32, .max_nets = 2});
+  const std::vector<CellNet> nets = search_cell_nets(
+      start, surface, {.division = *plan_cell_division(92, -4), .runs = 12, .max_nets = 2});
   ASSERT_EQ(nets.size(), 2u);
   EXPECT_NE(valences_of(nets[0]), valences_of(nets[1]));
   const CellNet& net = nets[0];
   expect_whole(net);
   EXPECT_TRUE(net.is_simplicial());
   EXPECT_EQ(valences_of(net), (std::map<int, int>{{6, 80}, {8, 12}}));
+}
+
+// Twelve places of D's primitive cell are saddles with a normal along an axis of the cube. Random
+// nets to start from never led to their octagons.
+TEST(SearchCellNet, FindsTheTwelveOctagonsOfDAtOnce) {
+  const auto cell = primitive_cell(surface_for("schwarz-d", 576.0), Membrane::fine_length);
+  ASSERT_TRUE(cell);
+  ASSERT_EQ(cell->copies, 4);
+  const TriMesh start = remesh(cell->surface, {.target_edge_length = 2.0}).mesh;
+  const std::vector<CellNet> nets =
+      search_cell_nets(start, cell->surface, {.division = *plan_cell_division(68, -4), .runs = 1});
+  ASSERT_EQ(nets.size(), 1u);
+  expect_whole(nets[0]);
+  EXPECT_EQ(valences_of(nets[0]), (std::map<int, int>{{6, 56}, {8, 12}}));
+}
+
+TEST(FindPlaces, PutsTheSaddlesFirstOnTheInsideOfATorus) {
+  const TriMesh torus = make_shape("torus", {{"R", 3.0}, {"r", 1.0}}, 0.1);
+  const auto places = find_places(torus, {.saddles = 4, .all = 12, .spacing = 1.0});
+  ASSERT_EQ(places.size(), 12u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(places[i].head<2>().norm(), 2.0, 0.05) << i;
+    EXPECT_NEAR(places[i].z(), 0.0, 0.3) << i;
+  }
+  EXPECT_GT(places[4].head<2>().norm(), 3.0);  // as far from them as possible
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_GE((places[i] - places[j]).norm(), 0.6);
+  }
+}
+
+TEST(FindPlaces, SeesImagesInACell) {
+  const TriMesh surface = p_surface(192.0);
+  const auto places = find_places(surface, {.saddles = 12, .all = 20, .spacing = 5.0});
+  ASSERT_EQ(places.size(), 20u);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::Vector3d image = surface.lattice.near(places[i], places[j]);
+      EXPECT_GE((image - places[i]).norm(), 3.0) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(FindPlaces, ReturnsFewerWhereTheSurfaceHasNoMore) {
+  const TriMesh torus = make_shape("torus", {}, 0.5);
+  const auto n = static_cast<int>(torus.n_vertices());
+  EXPECT_EQ(find_places(torus, {.saddles = 0, .all = n + 5, .spacing = 0.5}).size(),
+            torus.n_vertices());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "crystal/cell_net_places.h"
 #include "crystal/defect_moves.h"
 #include "crystal/membrane_minimizer.h"
 #include "crystal/membrane_schedule.h"
@@ -86,29 +87,34 @@ class CellNetRun {
     carbon_.ring_width = finest.ring_width;
   }
 
-  /// Makes the base net.
+  /// Makes a base net of places on the surface: its shortest edges there.
+  ///
+  /// @param places  As many as the base net has vertices, in the unit of the lattice.
+  void join(const std::vector<Eigen::Vector3d>& places) {
+    std::vector<Eigen::Vector3d> kept;
+    for (const Eigen::Vector3d& place : places) {
+      kept.push_back(move_a_vertex_to(scale_ * place, kept));
+    }
+    const auto is_kept = [&](int v) { return is_one_of(kept, net_.positions[index(v)]); };
+    remove_vertices([&] { return net_.from(shortest_edge(is_kept)); }, [] {});
+    start();
+  }
+
+  /// Makes a base net of any vertices.
   void thin() {
     flip_to_shorter_edges();
     spread(first_steps);
-    const int most_tries = 20 * net_.n_vertices();
-    for (int k = 0; k < most_tries && net_.n_vertices() > options_.division.base_vertices; ++k) {
-      const int v = net_.from(shortest_edge());
-      // Its edges go, those with the shortest other diagonal first.
-      while (net_.valence(v) > 3 && flip_one_away(v)) {
-      }
-      if (net_.valence(v) == 3) net_.remove(v);
-      flip_to_shorter_edges();
-      spread(thinning_steps);
-    }
-    holds_ = holds_of(net_, tether);
-    keep(energy_of(net_, {first_steps}));
+    const auto is_kept = [](int) { return false; };
+    remove_vertices([&] { return net_.from(shortest_edge(is_kept)); },
+                    [&] { spread(thinning_steps); });
+    start();
   }
 
   /// Flips edges from one part of the schedule to a later one: 0 is hot, 1 is cold.
   void anneal(double begin, double end) {
     const int n_trials = trials_per_edge * net_.n_halfedges() / 2;
     const auto last = static_cast<int>(end * n_trials);
-    for (auto k = static_cast<int>(begin * n_trials); k < last; ++k) {
+    for (auto k = static_cast<int>(begin * n_trials); is_base() && k < last; ++k) {
       if (options_.should_stop && options_.should_stop()) return;
       CellNet trial = net_;
       if (!trial.flip(random_below(net_.n_halfedges()))) continue;
@@ -123,7 +129,7 @@ class CellNetRun {
     }
   }
 
-  /// Of the best net [eV].
+  /// Of the best net [eV]; infinite if there is no base net.
   [[nodiscard]] double best_energy() const { return best_energy_; }
   /// The best net, in the unit of the lattice.
   [[nodiscard]] CellNet best() const {
@@ -138,6 +144,52 @@ class CellNetRun {
     return uniform(seed_);
   }
   [[nodiscard]] int random_below(int n) { return std::min(static_cast<int>(random() * n), n - 1); }
+  static bool is_one_of(const std::vector<Eigen::Vector3d>& places, const Eigen::Vector3d& p) {
+    return std::ranges::find(places, p) != places.end();
+  }
+
+  /// @param taken  Places of vertices that stay.
+  /// @return       Where the vertex is now: an image of the place.
+  Eigen::Vector3d move_a_vertex_to(const Eigen::Vector3d& place,
+                                   const std::vector<Eigen::Vector3d>& taken) {
+    const auto distance = [&](const Eigen::Vector3d& p) {
+      if (is_one_of(taken, p)) return std::numeric_limits<double>::infinity();
+      return (lattice_.near(p, place) - p).squaredNorm();
+    };
+    const auto nearest = std::ranges::min_element(net_.positions, {}, distance);
+    *nearest = lattice_.near(*nearest, place);
+    return *nearest;
+  }
+
+  [[nodiscard]] bool is_base() const {
+    return net_.n_vertices() == options_.division.base_vertices;
+  }
+
+  /// Removes vertices until there are as many as in a base net.
+  ///
+  /// @param next     Which goes next.
+  /// @param arrange  Called after each.
+  template <typename Next, typename Arrange>
+  void remove_vertices(const Next& next, const Arrange& arrange) {
+    const int most_tries = 20 * net_.n_vertices();
+    for (int k = 0; k < most_tries && !is_base(); ++k) {
+      const int v = next();
+      // Its edges go, those with the shortest other diagonal first.
+      while (net_.valence(v) > 3 && flip_one_away(v)) {
+      }
+      if (net_.valence(v) == 3) net_.remove(v);
+      flip_to_shorter_edges();
+      arrange();
+    }
+  }
+
+  /// Begins with the base net that there is.
+  void start() {
+    if (!is_base()) return;
+    holds_ = holds_of(net_, tether);
+    keep(energy_of(net_, {first_steps}));
+  }
+
   [[nodiscard]] SurfacePoint foot_of(const Eigen::Vector3d& p) const {
     return surface_->nearest(p / scale_);
   }
@@ -178,13 +230,15 @@ class CellNetRun {
     return energy;
   }
 
-  [[nodiscard]] int shortest_edge() {
+  /// Among those that begin at no vertex that is kept.
+  template <typename IsKept>
+  [[nodiscard]] int shortest_edge(const IsKept& is_kept) {
     constexpr double scatter = 0.4;  // makes every run another net: 0.1 finds P's best less often
     int shortest = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int h = 0; h < net_.n_halfedges(); ++h) {
       const double length = net_.edge_vector(h, lattice_).norm() * (1.0 + scatter * random());
-      if (length >= least) continue;
+      if (length >= least || is_kept(net_.from(h))) continue;
       least = length;
       shortest = h;
     }
@@ -274,6 +328,15 @@ std::optional<NumberedDivision> division_to(int wanted_faces, int euler, CellDiv
   return NumberedDivision{division, std::abs(base_faces * each - wanted_faces)};
 }
 
+/// For the vertices of a base net.
+std::vector<Eigen::Vector3d> places_on(const TriMesh& surface, const CellDivision& division) {
+  const int octagons = -3 * euler_characteristic(surface);  // if there are no other defects
+  const double spacing =
+      std::sqrt(surface_area(surface) / (2.0 * unit_triangle_area * division.base_vertices));
+  return find_places(surface,
+                     {.saddles = octagons, .all = division.base_vertices, .spacing = spacing});
+}
+
 CellNet divided(CellNet net, const CellDivision& division, const Lattice& lattice) {
   if (division.by_sqrt3) net = net.divided_by_sqrt3(lattice);
   return net.divided(division.parts, lattice);
@@ -307,9 +370,10 @@ std::optional<CellDivision> plan_cell_division(const TriMesh& surface, int wante
   return plan_cell_division(wanted_vertices, euler);
 }
 
-std::vector<CellNet> search_cell_nets(const TriMesh& start, const SurfaceProjector& surface,
+std::vector<CellNet> search_cell_nets(const TriMesh& start, const TriMesh& given,
                                       const CellNetOptions& options) {
   const CellNet net = CellNet::of(start);
+  const SurfaceProjector surface(given);
   std::vector<CellNetRun> runs;
   runs.reserve(index(options.runs));
   CellNetOptions own = options;
@@ -322,8 +386,15 @@ std::vector<CellNet> search_cell_nets(const TriMesh& start, const SurfaceProject
       tbb::this_task_arena::isolate([&] { work(runs[k]); });
     });
   };
-  for_each_run(runs.size(), [](CellNetRun& run) {
-    run.thin();
+  const std::vector<Eigen::Vector3d> places = places_on(given, options.division);
+  for_each_run(runs.size(), [&](CellNetRun& run) {
+    // Octagons at the saddles: what is found at once where a cell is as symmetric as P, D and the
+    // gyroid. All runs of other starts miss that net of D.
+    if (&run == &runs.front()) {
+      run.join(places);
+    } else {
+      run.thin();
+    }
     run.anneal(0.0, first_part);
   });
   std::ranges::stable_sort(runs, {}, &CellNetRun::best_energy);
@@ -335,7 +406,7 @@ std::vector<CellNet> search_cell_nets(const TriMesh& start, const SurfaceProject
   double last = -std::numeric_limits<double>::infinity();
   for (const CellNetRun& run : runs) {
     if (found.size() == index(options.max_nets)) break;
-    if (run.best_energy() - last < same) continue;
+    if (!std::isfinite(run.best_energy()) || run.best_energy() - last < same) continue;
     last = run.best_energy();
     found.push_back(divided(run.best(), options.division, start.lattice));
     for (Eigen::Vector3d& p : found.back().positions) {

@@ -48,9 +48,9 @@ struct CellNetOptions {
 ///
 /// @param start    On the surface, of more vertices than division.base_vertices; edges as long as
 ///   Membrane::fine_length wants them at the end are shorter than its own by √triangles_each().
+/// @param surface  Closed, in the cell of `start`.
 /// @return  Different nets of the least energies, the best first, divided, on the surface.
-[[nodiscard]] std::vector<CellNet> search_cell_nets(const TriMesh& start,
-                                                    const SurfaceProjector& surface,
+[[nodiscard]] std::vector<CellNet> search_cell_nets(const TriMesh& start, const TriMesh& surface,
                                                     const CellNetOptions& options);
 
 /// A net as that of a surface without curves.

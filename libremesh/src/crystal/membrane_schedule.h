@@ -61,10 +61,11 @@ inline constexpr double settled_pair = 1.3;
 inline constexpr double exact_count = 3.0;
 /// A free surface may have so many more or fewer vertices than wanted [of those].
 inline constexpr double free_count = 0.01;
-/// Of annealing a cell's net of few vertices. One of ten to four finds the octagons of P, one of 27
-/// those of the gyroid with 288 atoms: 24 runs missed them with two of five seeds.
+/// Of annealing a cell's net of few vertices. The first finds the octagons of P, D and the gyroid
+/// at once; of the others, one of ten to four finds those of P, one of 27 those of the gyroid with
+/// 288 atoms.
 inline int runs_of_cell_nets(Effort effort) {
-  return effort == Effort::quick ? 8 : effort == Effort::normal ? 48 : 144;
+  return effort == Effort::quick ? 4 : effort == Effort::normal ? 12 : 48;
 }
 /// [eV] that such a net may be above the other: the membrane makes too much of octagons. P of 192
 /// atoms has 22.2 eV under REBO with twelve of them, 26.2 eV as a membrane; the best nets without

@@ -158,7 +158,7 @@ class MembraneSearch {
     if (!start || find_components(start->mesh).parts.size() != 1) return;
     const SurfaceProjector& projector = net_.on_surface.surface();
     constexpr int max_judged_nets = 4;
-    for (const CellNet& net : search_cell_nets(start->mesh, projector,
+    for (const CellNet& net : search_cell_nets(start->mesh, surface_,
                                                {.division = *division,
                                                .seed = options_.seed,
                                                .runs = runs_of_cell_nets(options_.effort),
