@@ -47,7 +47,7 @@ inline constexpr double min_ordering_rounds = 1200.0;
 /// The order of a coarse net still has pairs to lose at half its length.
 inline constexpr Schedule refining = {.hot = 1.0, .cold = 0.1, .rounds = 400};
 /// At finer lengths defects only find their places.
-inline constexpr Schedule settling = {.hot = 0.2, .cold = 0.0, .rounds = 60};
+inline constexpr Schedule settling = {.hot = 0.2, .cold = 0.0, .rounds = 20};
 /// Where the number of vertices must change, dislocations have to climb through the net.
 inline constexpr Schedule climbing = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 /// [eV] of Membrane::pair while a net settles: cores of lone disclinations alone make pairs too
