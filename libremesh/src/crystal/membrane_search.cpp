@@ -232,8 +232,7 @@ class MembraneSearch {
     std::vector<Order> found(index(plan.orders));
     const auto find = [&](std::size_t k) {
       if (watch_.stopped()) return;
-      Net net(surface_, creases_);
-      net.on_surface.restore(start);
+      Net net(net_.on_surface, start);
       // The odd constant keeps the orders of small seeds apart.
       const std::uint64_t seed =
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
@@ -345,8 +344,7 @@ class MembraneSearch {
   void finish_best() {
     if (watch_.stopped()) candidates_.resize(1);
     const auto judge = [&](Candidate& candidate) {
-      Net net(surface_, creases_);
-      net.on_surface.restore(candidate.state);
+      Net net(net_.on_surface, candidate.state);
       candidate.energy = finish(net) - candidate.favor;
       candidate.state = net.on_surface.state();
       if (!is_judged() || candidates_.size() == 1) return;

@@ -13,6 +13,9 @@ struct Net {
   ConstrainedMesh on_surface;
 
   Net(const TriMesh& surface, const Creases& creases) : mesh(surface), on_surface(mesh, creases) {}
+  /// Another on the same surface.
+  Net(const ConstrainedMesh& other, const ConstrainedMesh::State& state)
+      : on_surface(mesh, other, state) {}
 };
 
 /// Vertices that a net would have with so many faces, and the topology and boundary that it has.

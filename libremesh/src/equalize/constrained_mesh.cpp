@@ -41,7 +41,7 @@ std::vector<VertexHandle> along_space_filling_curve(const TriMesh& mesh) {
 
 ConstrainedMesh::ConstrainedMesh(TriMesh& original, const Creases& creases)
     : mesh(original),
-      surface_(original),
+      surface_(std::make_shared<const SurfaceProjector>(original)),
       curves_(original, creases),
       anchors_(original),
       curve_of_(original) {
@@ -52,6 +52,12 @@ ConstrainedMesh::ConstrainedMesh(TriMesh& original, const Creases& creases)
     if (anchor.kind == FeatureKind::curve) anchor.on_curve = curves_.at(v);
     for (const auto f : v.faces()) anchor.face = f.idx();
   }
+}
+
+ConstrainedMesh::ConstrainedMesh(TriMesh& net, const ConstrainedMesh& other, const State& state)
+    : mesh(net), surface_(other.surface_), curves_(other.curves_), anchors_(net), curve_of_(net) {
+  mesh.lattice = other.mesh.lattice;
+  restore(state);
 }
 
 ConstrainedMesh::State ConstrainedMesh::state() const {
@@ -148,8 +154,8 @@ Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
   const double length = vector_between(mesh, b, a).norm();
   for (const double lift : {0.0, 0.125, 0.25, 0.5}) {
     const Eigen::Vector3d lifted = midpoint + lift * length * outward.normalized();
-    const SurfacePoint foot = surface_.nearest(lifted, anchor.face);
-    if (surface_.normal(foot).dot(outward) <= 0.0 && lift < 0.5 && outward.norm() > 0.5) continue;
+    const SurfacePoint foot = surface_->nearest(lifted, anchor.face);
+    if (surface_->normal(foot).dot(outward) <= 0.0 && lift < 0.5 && outward.norm() > 0.5) continue;
     anchor.face = foot.face;
     return foot.position;
   }
@@ -157,11 +163,11 @@ Eigen::Vector3d ConstrainedMesh::project_between(VertexHandle a, VertexHandle b,
 }
 
 SurfacePoint ConstrainedMesh::foot(const Eigen::Vector3d& p, int face) const {
-  if (!reach_) return surface_.nearest(p, face);
-  const SurfacePoint near = surface_.walk_towards(p, face);
+  if (!reach_) return surface_->nearest(p, face);
+  const SurfacePoint near = surface_->walk_towards(p, face);
   if ((near.position - p).norm() <= *reach_) return near;
-  const SurfacePoint nearest = surface_.nearest(p, near.face);
-  return surface_.normal(nearest).dot(surface_.normal(near)) > 0.0 ? nearest : near;
+  const SurfacePoint nearest = surface_->nearest(p, near.face);
+  return surface_->normal(nearest).dot(surface_->normal(near)) > 0.0 ? nearest : near;
 }
 
 Eigen::Vector3d ConstrainedMesh::project(const Eigen::Vector3d& p, Anchor& anchor) const {
@@ -176,7 +182,7 @@ Eigen::Vector3d ConstrainedMesh::project(const Eigen::Vector3d& p, Anchor& ancho
 }
 
 Eigen::Vector3d ConstrainedMesh::normal(VertexHandle v) const {
-  return surface_.normal({mesh.point(v), anchors_[v].face});
+  return surface_->normal({mesh.point(v), anchors_[v].face});
 }
 
 }  // namespace trivalent::remesh

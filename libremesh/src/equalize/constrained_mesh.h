@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "equalize/feature_curves.h"
@@ -33,7 +34,24 @@ class ConstrainedMesh {
   /// @param mesh  The original surface; changed in place by the steps of the remeshing.
   explicit ConstrainedMesh(TriMesh& mesh, const Creases& creases = {});
 
-  [[nodiscard]] const SurfaceProjector& surface() const { return surface_; }
+  struct CurveEdge {
+    VertexHandle from, to;
+    int curve;
+  };
+  /// A net and its place on the surface, numbered from 0 without gaps.
+  struct State {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Anchor> anchors;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<CurveEdge> curve_edges;
+  };
+  /// Another net on the same surface.
+  ///
+  /// @param net    Without elements; becomes that of the state.
+  /// @param other  Whose surface it is.
+  ConstrainedMesh(TriMesh& net, const ConstrainedMesh& other, const State& state);
+
+  [[nodiscard]] const SurfaceProjector& surface() const { return *surface_; }
   [[nodiscard]] const FeatureCurves& curves() const { return curves_; }
 
   [[nodiscard]] const Anchor& anchor(VertexHandle v) const { return anchors_[v]; }
@@ -81,17 +99,6 @@ class ConstrainedMesh {
 
   TriMesh& mesh;
 
-  struct CurveEdge {
-    VertexHandle from, to;
-    int curve;
-  };
-  /// A net and its place on the surface, numbered from 0 without gaps.
-  struct State {
-    std::vector<Eigen::Vector3d> positions;
-    std::vector<Anchor> anchors;
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<CurveEdge> curve_edges;
-  };
   /// The mesh must have no deleted vertices.
   [[nodiscard]] State state() const;
   /// Replaces the net.
@@ -110,7 +117,7 @@ class ConstrainedMesh {
                                                 Anchor& anchor) const;
   [[nodiscard]] SurfacePoint foot(const Eigen::Vector3d& p, int face) const;
 
-  SurfaceProjector surface_;
+  std::shared_ptr<const SurfaceProjector> surface_;
   FeatureCurves curves_;
   std::optional<double> reach_;
   OpenMesh::VProp<Anchor> anchors_;
