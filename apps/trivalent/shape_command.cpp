@@ -3,6 +3,7 @@
 #include "session.h"
 #include "trivalent/formats/structure_format.h"
 #include "trivalent/remesh/mesh_io.h"
+#include "trivalent/remesh/tube_ends.h"
 #include "trivalent/shell/ideal_source.h"
 #include "trivalent/shell/number_text.h"
 #include "trivalent/shell/surface_source.h"
@@ -23,6 +24,41 @@ Result describe(const remesh::TriMesh& mesh, const std::string& output) {
                    {"faces", mesh.n_faces()},
                    {"mean_edge_length", remesh::mean_edge_length(mesh)},
                    {"area", remesh::surface_area(mesh)}}};
+}
+
+/// The options that say of a mesh file which cell it shows.
+std::string cell_options_of(const remesh::Lattice& lattice) {
+  remesh::Lattice::Cell cell = lattice.cell();
+  std::string directions;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    if (lattice.periodic()[k]) directions += "xyz"[k];
+    if (cell.col(column).isZero()) cell(column, column) = 1.0;  // any vector will do
+  }
+  constexpr int digits = 12;
+  std::string text;
+  if (cell.isDiagonal(0.0)) {
+    for (const double length : cell.diagonal()) text += ',' + shell::significant(length, digits);
+  } else {
+    for (const double number : cell.reshaped()) text += ',' + shell::significant(number, digits);
+  }
+  text = "--cell " + text.substr(1);
+  return directions == "xyz" ? text : text + " --periodic " + directions;
+}
+
+/// What a surface has that no mesh file holds.
+std::vector<std::string> notes_on_loss(const remesh::TriMesh& mesh) {
+  std::vector<std::string> notes;
+  if (mesh.lattice.is_periodic()) {
+    notes.push_back("mesh files hold no cell; to read this one, add " +
+                    cell_options_of(mesh.lattice));
+  }
+  if (remesh::edge_length_of_tubes(mesh)) {
+    notes.emplace_back(
+        "mesh files do not say which nanotubes the arms end in; for a net with these, build the "
+        "shape by its name");
+  }
+  return notes;
 }
 
 void write_ideal(const Session& session) {
@@ -57,6 +93,7 @@ int run_shape(const Command& self, std::span<const std::string> arguments) {
   const remesh::TriMesh mesh =
       remesh::make_shape(call.name, call.arguments, session->get<double>("edge"));
   remesh::write_mesh(mesh, output);
+  session->terminal.notes(notes_on_loss(mesh));
   session->terminal.print(describe(mesh, output));
   return done;
 }

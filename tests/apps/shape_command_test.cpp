@@ -23,6 +23,25 @@ TEST_F(ShapeCommand, HasParameters) {
   EXPECT_NEAR(large["area"].get<double>(), 1256.6, 0.03 * 1256.6);
 }
 
+TEST_F(ShapeCommand, SaysHowToReadACell) {
+  for (const std::string shape : {"schwarz-p", "schwarz-d", "plane", "periodic-tube"}) {
+    const std::string said = succeed("shape " + shape + " cell.off --edge 0.04").err;
+    const std::size_t at = said.find("--cell");
+    ASSERT_NE(at, std::string::npos) << said;
+    const std::string options = said.substr(at, said.find('\n', at) - at);
+    const auto net =
+        succeed("remesh cell.off net.off --edge 0.1 --method paper --json " + options).json();
+    EXPECT_EQ(net["quality"]["boundary_loops"], 0) << shape << ' ' << options;
+  }
+  EXPECT_EQ(succeed("shape sphere s.off --edge 0.3").err, "");
+}
+
+TEST_F(ShapeCommand, SaysThatAFileHoldsNoTubes) {
+  const auto said = succeed("shape y-junction:open=1,n=5,m=5 y.off --edge 0.3").err;
+  EXPECT_NE(said.find("nanotubes"), std::string::npos) << said;
+  EXPECT_EQ(succeed("shape y-junction:open=1 y.off --edge 0.3").err, "");
+}
+
 TEST_F(ShapeCommand, RefusesWhatItCannotMake) {
   expect_failure(2, "cube", "shape cube a.off");
   expect_failure(2, "list of numbers", "shape junction:arm=1 a.off");
