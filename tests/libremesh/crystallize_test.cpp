@@ -286,8 +286,8 @@ TEST(AnnealingWork, GrowsWithEffortAndSize) {
     const double normal = annealing_work(vertices, Effort::normal);
     EXPECT_LT(annealing_work(vertices, Effort::quick), normal);
     EXPECT_NEAR(annealing_work(vertices, Effort::thorough), 4.0 * normal, 0.01 * normal);
-    // The last 60 rounds are at the target length.
-    EXPECT_GT(normal, 60.0 * vertices);
+    // The last 20 rounds are at the target length.
+    EXPECT_GT(normal, 20.0 * vertices);
   }
   EXPECT_LT(annealing_work(1e6, Effort::normal), 400.0 * 1e6);
 }
