@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "equalize/constrained_mesh.h"
 #include "equalize/paper_loop.h"
@@ -99,14 +100,15 @@ void change_edges(ConstrainedMesh& constrained, const RemeshOptions& options, in
   constexpr double far = 0.33;           // of the target
   constexpr double min_progress = 0.02;  // of the target, per round
   double distance = std::numeric_limits<double>::max();
-  double before = distance;
-  do {
+  while (true) {
     apply_stellar_operations(constrained, limits);
     correct_valences(constrained);
-    before = distance;
-    distance = std::abs(mean_edge_length(constrained.mesh) - limits.target);
-  } while (distance > far * limits.target && distance < before - min_progress * limits.target &&
-           !should_stop(options));
+    const double before =
+        std::exchange(distance, std::abs(mean_edge_length(constrained.mesh) - limits.target));
+    const bool is_near = distance <= far * limits.target;
+    const bool has_stalled = distance >= before - min_progress * limits.target;
+    if (is_near || has_stalled || should_stop(options)) return;
+  }
 }
 
 /// Up to here everything stays in the processor's cache, whatever the order.
