@@ -9,8 +9,8 @@ namespace trivalent::remesh {
 
 /// Places on a surface for the vertices of a net that has few.
 struct CellNetPlaces {
-  int saddles;     ///< so many first: where the Gaussian curvature is least, and octagons belong
-  int all;         ///< the others: each as far as possible from all before it
+  int saddles;     ///< how many, the first, lie where the Gaussian curvature is least
+  int all;         ///< how many there are; after the saddles each is as far as possible from others
   double spacing;  ///< of neighbors, about [mesh's unit]; saddles are not much nearer to each other
 };
 
