@@ -192,7 +192,9 @@ MembraneTerms<double> MembraneNet::terms(VertexImages& images) const {
     if (e.is_boundary() || constrained_.curve_of(e)) {
       terms.edges.push_back({a.idx(), b});
     } else {
-      const double rest = membrane_.rest_length(deviation_of(a), deviation_of(h.to()));
+      const double rest = rest_lengths_.empty()
+                              ? membrane_.rest_length(deviation_of(a), deviation_of(h.to()))
+                              : rest_lengths_[index(e.idx())];
       terms.hinges.push_back({a.idx(), b, beside(a, h.next().to()), beside(a, h.opp().next().to()),
                               static_cast<float>(rest)});
     }

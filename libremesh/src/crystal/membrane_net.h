@@ -62,6 +62,9 @@ class MembraneNet {
   /// The same with steps that reach across the whole net, for one that is far from its minimum.
   void relax_across(int steps, const std::function<bool()>& should_stop = {});
 
+  /// Lengths of all edges at rest [Å], in place of the membrane's; until connectivity changes.
+  void set_rest_lengths(std::vector<double> lengths) { rest_lengths_ = std::move(lengths); }
+
   /// Energy per vertex without cores and count [eV].
   [[nodiscard]] double elastic_energy();
   /// Energy of all cores [eV].
@@ -77,6 +80,7 @@ class MembraneNet {
 
   ConstrainedMesh& constrained_;
   Membrane membrane_;
+  std::vector<double> rest_lengths_;
   std::vector<Sample> samples_;
   std::vector<VertexHold> holds_;
   std::vector<int> pull_begin_;  // of each vertex in `pulled_`, and the end of the last
