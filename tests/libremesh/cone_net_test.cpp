@@ -11,6 +11,7 @@
 #include "crystal/membrane_net.h"
 #include "crystal/moved_net.h"
 #include "crystal/side_fit.h"
+#include "trivalent/remesh/crystallize.h"
 #include "trivalent/remesh/remesh.h"
 #include "trivalent/remesh/shapes.h"
 
@@ -270,6 +271,37 @@ TEST(FreeDisclinations, TakesMostOfWhatAMoveCosts) {
     EXPECT_LT(freed.freed.energy,
               at_rest.given_energy + 0.25 * (freed.given_energy - at_rest.given_energy));
   }
+}
+
+TEST(Crystallize, PutsDisclinationsAboveThoseOfANetBeside) {
+  const TriMesh inner = icosahedral_net(5);
+  TriMesh surface = make_shape("sphere", {}, 0.05);
+  const double radius = inner.point(VertexHandle(0)).norm();
+  constexpr double spacing = 3.4;
+  scale(surface, radius + spacing);
+  const double growth = std::pow(1.0 + spacing / radius, 2);
+  const RemeshResult outer =
+      crystallize(surface, {.target_edge_length = Membrane::fine_length,
+                            .wanted_faces = growth * static_cast<double>(inner.n_faces()),
+                            .stiffness = 0.5,
+                            .rest = NetRest::in_space,
+                            .beside = &inner});
+  EXPECT_NEAR(static_cast<double>(outer.mesh.n_faces()),
+              growth * static_cast<double>(inner.n_faces()), 0.03 * 900.0);
+  int pentagons = 0;
+  for (const auto v : outer.mesh.vertices()) {
+    if (v.valence() == 6) continue;
+    ASSERT_EQ(v.valence(), 5U);
+    ++pentagons;
+    double nearest = 10.0;
+    for (const auto w : inner.vertices()) {
+      if (w.valence() != 5) continue;
+      const Eigen::Vector3d there = inner.point(w).normalized();
+      nearest = std::min(nearest, (outer.mesh.point(v).normalized() - there).norm());
+    }
+    EXPECT_LT(nearest * radius, Membrane::fine_length);
+  }
+  EXPECT_EQ(pentagons, 12);
 }
 
 }  // namespace

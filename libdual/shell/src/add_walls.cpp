@@ -127,6 +127,8 @@ class Walls {
     shell_.remeshings += 1;
   }
 
+  [[nodiscard]] const TriMesh& last() const { return nets_.back(); }
+
   void stopped() { shell_.surface.stopped = true; }
 
   [[nodiscard]] bool is_complete() const {
@@ -244,7 +246,7 @@ void add_walls(Shell& shell, TriMesh given, const WallOptions& options, const Ne
   while (!walls.is_complete()) {
     const TriMesh surface = walls.next_surface();
     try {
-      walls.add(maker.make(surface, walls.faces_on(surface, maker.edge_length)));
+      walls.add(maker.make(surface, walls.last(), walls.faces_on(surface, maker.edge_length)));
     } catch (const remesh::Stopped&) {
       walls.stopped();
     }

@@ -24,8 +24,10 @@ void check_wall_options(const WallOptions& walls);
 /// How the net of each wall is made.
 struct NetMaker {
   double edge_length;  ///< of nets at rest [Å]
-  /// Makes the net of a surface in Å with about so many faces.
-  std::function<remesh::RemeshResult(const remesh::TriMesh&, double faces)> make;
+  /// Makes the net of a surface in Å, beside another net, with about so many faces.
+  std::function<remesh::RemeshResult(const remesh::TriMesh& surface, const remesh::TriMesh& beside,
+                                     double faces)>
+      make;
 };
 
 /// Adds walls to a shell of one, net by net: each is a net of the surface at the given distance

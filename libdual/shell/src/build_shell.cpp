@@ -286,9 +286,10 @@ Shell build_shell(const TriMesh& mesh, const ShellOptions& options) {
   if (options.walls.count > 1) {
     int wall = 0;
     const double edge_length = edge_length_for_bond(options.bond);
-    const auto make_net = [&](const TriMesh& surface, double faces) {
-      const remesh::RemeshMethod method = with_shared_progress(
+    const auto make_net = [&](const TriMesh& surface, const TriMesh& beside, double faces) {
+      remesh::RemeshMethod method = with_shared_progress(
           with_faces(method_of_wall(method_at_rest(options)), faces), ++wall, options.walls.count);
+      if (auto* crystal = std::get_if<remesh::CrystalOptions>(&method)) crystal->beside = &beside;
       return remesh::remesh_by(surface, method, edge_length);
     };
     TriMesh given = mesh;

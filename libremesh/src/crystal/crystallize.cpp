@@ -116,7 +116,10 @@ double annealing_work(double vertices, Effort effort) {
   if (vertices <= max_judged_vertices) level_of_order.max_orders = max_judged_orders;
   const auto [orders, schedule] = plan_order(level_of_order, vertices_of(first), effort);
   double work = vertices_of(first) * orders * rounds_for(schedule, effort);
-  for (std::size_t level = first + 1; level < levels.size(); ++level) {
+  // A coarse net is divided at once.
+  const bool is_at_once = levels[first].coarseness >= coarse_places && effort != Effort::quick;
+  for (std::size_t level = is_at_once ? levels.size() - 1 : first + 1; level < levels.size();
+       ++level) {
     work += vertices_of(level) * rounds_for(is_refined(first, level) ? refining : settling, effort);
   }
   return work;

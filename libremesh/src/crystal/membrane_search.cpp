@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "crystal/cell_net_search.h"
+#include "crystal/freed_disclinations.h"
 #include "crystal/inflation.h"
+#include "crystal/level_membranes.h"
 #include "crystal/membrane_annealing.h"
 #include "crystal/membrane_schedule.h"
+#include "crystal/moved_net.h"
 #include "crystal/rims.h"
-#include "crystal/tether_strength.h"
-#include "mesh/adjacency.h"
-#include "mesh/geometry.h"
+#include "crystal/spring_relaxation.h"
+#include "crystal/thin_parts.h"
 #include "trivalent/remesh/mesh_components.h"
-#include "trivalent/remesh/surface_shape.h"
-#include "trivalent/remesh/tube_ends.h"
 
 namespace trivalent::remesh {
 
@@ -32,7 +32,17 @@ constexpr double free_sheet_reach = 1.5;
 
 constexpr int opening_steps = 100;
 constexpr int closing_steps = 400;
-constexpr int hasty_steps = 30;  // once the user wants to stop
+constexpr int springing_sweeps = 60;  // of a net carried over from another surface
+constexpr int hasty_steps = 30;       // once the user wants to stop
+
+/// What the pairs of an order will cost once it is divided, beyond what they do now [eV]: the
+/// number of heptagons tells orders apart.
+double price_of_pairs(const TriMesh& net, const Level& level) {
+  if (level.coarseness < coarse_pairs) return 0.0;
+  const auto heptagons =
+      std::ranges::count_if(net.vertices(), [](const auto v) { return v.valence() > 6; });
+  return price_of_pair * static_cast<double>(heptagons);
+}
 
 class MembraneSearch {
  public:
@@ -42,16 +52,13 @@ class MembraneSearch {
         creases_(surface.creases),
         options_(options),
         watch_(watch),
-        area_(surface_area(surface_)),
-        is_open_(has_boundary(surface_)),
-        ends_in_tubes_(edge_length_of_tubes(surface_)),
-        tether_factor_(is_held(options) ? 1.0 : tether_factor(surface_, area_)),
+        membranes_(surface_, options),
         net_(surface_, creases_),
         whole_surface_(net_.on_surface.state()) {}
 
   std::optional<FoundNet> run() {
+    bool is_coarse = carry_over();
     // The coarsest order is next to never bettered at finer lengths.
-    bool is_coarse = false;
     for (std::size_t level = 0; level + 1 < levels.size() && !is_coarse; ++level) {
       is_coarse = order_from(level);
     }
@@ -68,14 +75,9 @@ class MembraneSearch {
     return mesh;
   }
 
-  /// Vertices of a net of the target length.
-  [[nodiscard]] double n_vertices() const {
-    return area_ / (2.0 * unit_triangle_area * Membrane::fine_length * Membrane::fine_length);
-  }
-
   /// Whether a first net of this level has room for patches, and for the tubes that it ends in.
   [[nodiscard]] bool has_room(const Level& level) const {
-    return n_vertices() >= level.coarseness * level.coarseness * level.min_vertices &&
+    return membranes_.n_vertices() >= level.coarseness * level.coarseness * level.min_vertices &&
            fits_tubes(net_.on_surface.curves(), level.coarseness);
   }
 
@@ -85,8 +87,8 @@ class MembraneSearch {
     net_.on_surface.restore(whole_surface_);
     if (is_too_thin(net_.on_surface, length)) return false;
     const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
-    const std::unique_ptr<Net> net = coarse_starting_net(inflated_surface.value_or(surface_),
-                                                         creases_, area_, starting_options(length));
+    const std::unique_ptr<Net> net = coarse_starting_net(
+        inflated_surface.value_or(surface_), creases_, membranes_.area(), starting_options(length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
     return true;
@@ -95,7 +97,7 @@ class MembraneSearch {
   /// Whether all orders of a net are finished, and the energy of the options chooses: nets so small
   /// that it takes less time than the search.
   [[nodiscard]] bool is_judged() const {
-    return options_.energy && n_vertices() <= max_judged_vertices;
+    return options_.energy && membranes_.n_vertices() <= max_judged_vertices;
   }
 
   /// Orders a first net at a level, and brings it to the target length.
@@ -103,28 +105,76 @@ class MembraneSearch {
   /// @return  False, without a net, where the shape is too small or too thin for that level.
   bool order_from(std::size_t level) {
     if (watch_.stopped() || !has_room(levels[level]) || !start(levels[level])) return false;
-    for (const ConstrainedMesh::State& order : orders(levels[level])) {
-      net_.on_surface.restore(order);
-      for (std::size_t finer = level + 1; finer < levels.size(); ++finer) {
-        divide();
-        settle(levels[finer], is_refined(level, finer));
+    for (const Order& order : orders(levels[level])) {
+      net_.on_surface.restore(order.state);
+      std::size_t reached = divide_freely(level, order.wanted_lengths);
+      if (reached + 1 == levels.size()) settle(levels.back(), false);
+      while (++reached < levels.size()) {
+        divide_in_space(net_.on_surface);
+        settle(levels[reached], is_refined(level, reached));
       }
       candidates_.push_back({net_.on_surface.state()});
     }
     return true;
   }
 
+  /// A first net that has been annealed.
+  struct Order {
+    double energy = std::numeric_limits<double>::infinity();
+    ConstrainedMesh::State state = {};
+    std::vector<double> wanted_lengths = {};  ///< of the sides of its cone net [edges], if any
+  };
+
+  /// Whether the disclinations of a first net have so few places that they are moved once more when
+  /// it is divided. On thin parts, whose nets begin at twice the length, that is no gain.
+  [[nodiscard]] bool has_few_places(const Level& level) const {
+    return options_.effort != Effort::quick && level.coarseness >= coarse_places &&
+           net_.on_surface.curves().empty() && !surface_.lattice.is_periodic();
+  }
+
+  /// Finds out where the disclinations of a net want to be, and what that is worth.
+  [[nodiscard]] FreedDisclinations free(Net& net, const Level& level) const {
+    MembraneNet membrane(net.on_surface, surface_, membranes_.at(level));
+    return free_disclinations(membrane, membranes_.wanted_faces(level), watch_.question());
+  }
+
+  /// Divides an order into shorter edges, with its disclinations where they want to be; very coarse
+  /// ones in two strides.
+  ///
+  /// @param lengths  Of the sides of the order's cone net [edges], or none.
+  /// @return         The level reached, which is the first for want of lengths or of such a net.
+  std::size_t divide_freely(std::size_t level, std::vector<double> lengths) {
+    while (!lengths.empty() && level + 1 < levels.size()) {
+      const std::size_t next = std::min(level + 2, levels.size() - 1);
+      const int parts = levels[level].coarseness / levels[next].coarseness;
+      for (double& length : lengths) length *= parts;
+      const auto divided =
+          divided_net(net_.mesh, net_.on_surface.surface(), parts,
+                      {.lengths = std::move(lengths),
+                       .faces = static_cast<double>(membranes_.wanted_faces(levels[next])),
+                       .seed = options_.seed});
+      if (!divided) break;
+      net_.on_surface.restore(*divided);
+      level = next;
+      lengths =
+          level + 1 < levels.size() ? free(net_, levels[level]).lengths : std::vector<double>{};
+    }
+    return level;
+  }
+
   /// Anneals the net after a division.
-  void settle(const Level& level, bool is_to_order) {
+  ///
+  /// @param free_part  Of the vertices wanted: a free surface may have so many more or fewer.
+  void settle(const Level& level, bool is_to_order, double free_part = free_count) {
     const auto faces = static_cast<int>(net_.mesh.n_faces());
-    int wanted = wanted_faces(level);
+    int wanted = membranes_.wanted_faces(level);
     // The coarse net came near to the number without a defect. Whoever changes it now leaves pairs
     // of 5-7 of about 3 eV each; a cell of a crystal has to have its number.
     const double excess = 0.5 * (faces - wanted);  // vertices
     const auto vertices = static_cast<double>(net_.mesh.n_vertices());
-    const bool is_near = std::abs(excess) <= free_count * (vertices - excess);
+    const bool is_near = std::abs(excess) <= free_part * (vertices - excess);
     if (is_near && !surface_.lattice.is_periodic()) wanted = faces;
-    Membrane membrane = membrane_at(level);
+    Membrane membrane = membranes_.at(level);
     const bool is_settling = !is_to_order && wanted == faces;
     if (is_settling && level.coarseness == 1) membrane.pair = settled_pair;
     const Schedule& schedule = is_to_order ? refining : is_settling ? settling : climbing;
@@ -136,20 +186,19 @@ class MembraneSearch {
   /// themselves.
   bool start_small() {
     constexpr double max_vertices_of_small = 1500.0;
-    if (n_vertices() > max_vertices_of_small && !ends_in_tubes_) return false;
+    if (membranes_.n_vertices() > max_vertices_of_small && !membranes_.ends_in_tubes())
+      return false;
     const std::unique_ptr<Net> net =
         starting_net(surface_, creases_, starting_options(Membrane::fine_length));
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
-    for (ConstrainedMesh::State& order : orders(levels.back())) {
-      candidates_.push_back({std::move(order)});
-    }
+    for (Order& order : orders(levels.back())) candidates_.push_back({std::move(order.state)});
     return true;
   }
 
   /// Adds nets of a crystal's cell that come from few vertices.
   void try_cell_nets() {
-    const auto division = plan_cell_division(surface_, wanted_vertices());
+    const auto division = plan_cell_division(surface_, membranes_.wanted_vertices());
     if (!division) return;
     // A remeshed start of four times the vertices; the lattice allows edges of a quarter of it.
     const double base_length = Membrane::fine_length * std::sqrt(division->triangles_each());
@@ -169,66 +218,42 @@ class MembraneSearch {
     }
   }
 
+  /// Takes the net beside the surface over, if there is one like it.
+  bool carry_over() {
+    const TriMesh* beside = options_.beside;
+    if (beside == nullptr || !net_.on_surface.curves().empty()) return false;
+    if (!are_alike(*beside, surface_)) return false;
+    const auto carried = carried_net(scaled(*beside, scale_), net_.on_surface.surface(),
+                                     membranes_.wanted_faces(levels.back()), options_.seed);
+    if (!carried) return false;
+    net_.on_surface.restore(*carried);
+    unfold(net_.on_surface);
+    relax_springs(net_.on_surface, Membrane::fine_length, springing_sweeps);
+    settle(levels.back(), false, free_count_beside);
+    candidates_.push_back({net_.on_surface.state()});
+    return true;
+  }
+
   [[nodiscard]] StartingNetOptions starting_options(double length) const {
     return {.length = length, .effort = options_.effort, .should_stop = watch_.question()};
-  }
-
-  [[nodiscard]] Membrane membrane_at(const Level& level) const {
-    const TetherStrength strength = tether_of(options_);
-    Membrane membrane;
-    membrane.length = level.coarseness * Membrane::fine_length;
-    const bool is_stiffer = tether_factor_ > 1.0;
-    membrane.tether = tether_factor_ * strength.tether;
-    membrane.cover = (is_stiffer ? std::sqrt(tether_factor_) : tether_factor_) * strength.cover;
-    membrane.slack = strength.slack / (is_stiffer ? std::sqrt(tether_factor_) : 1.0);
-    membrane.pentagon = level.pentagon;
-    membrane.heptagon = level.heptagon;
-    membrane.octagon = level.octagon;
-    membrane.ring_width = level.ring_width;
-    // 0.02 lets small nets lose a fifth of their vertices; 0.3 + 60/V leaves nets of 120 one short.
-    membrane.count = 0.3 + 240.0 / n_vertices();
-    if (surface_.lattice.is_periodic() && level.coarseness > 1) membrane.count = exact_count;
-    if (ends_in_tubes_) {
-      membrane.count = count_of_tubes;
-      membrane.boundary_tether = tether_of_tubes;
-      if (level.coarseness == 1) membrane.pair = settled_pair;
-    }
-    return membrane;
-  }
-
-  /// Faces of a net that comes to those of the target length by divisions.
-  [[nodiscard]] int wanted_faces(const Level& level) const {
-    const double face_area = unit_triangle_area * Membrane::fine_length * Membrane::fine_length;
-    const double faces =
-        options_.wanted_faces.value_or(area_ / face_area) / (level.coarseness * level.coarseness);
-    if (is_open_) return static_cast<int>(std::lround(faces));
-    return 2 * static_cast<int>(std::lround(0.5 * faces));
-  }
-  /// Vertices of a closed net of the target length.
-  [[nodiscard]] int wanted_vertices() const {
-    return euler_characteristic(surface_) + wanted_faces(levels.back()) / 2;
   }
 
   /// Anneals the first net, a small one several times.
   ///
   /// @return  All orders if they are to be judged, else that of least energy.
-  std::vector<ConstrainedMesh::State> orders(Level level) {
+  std::vector<Order> orders(Level level) {
     if (is_judged()) level.max_orders = max_judged_orders;
-    if (ends_in_tubes_) {
+    if (membranes_.ends_in_tubes()) {
       level.max_orders = orders_of_tubes;
       level.max_rounds *= effort_of_tubes;
       level.vertex_rounds *= effort_of_tubes;
     }
     // Half of the time is for the nets that come from few vertices.
-    if (plan_cell_division(surface_, wanted_vertices())) level.vertex_rounds *= 0.5;
+    if (plan_cell_division(surface_, membranes_.wanted_vertices())) level.vertex_rounds *= 0.5;
     const OrderPlan plan =
         plan_order(level, static_cast<double>(net_.mesh.n_vertices()), options_.effort);
     watch_.expect(plan.orders * rounds_of(plan.schedule));
     const ConstrainedMesh::State start = net_.on_surface.state();
-    struct Order {
-      double energy = std::numeric_limits<double>::infinity();
-      ConstrainedMesh::State state;
-    };
     std::vector<Order> found(index(plan.orders));
     const auto find = [&](std::size_t k) {
       if (watch_.stopped()) return;
@@ -238,21 +263,24 @@ class MembraneSearch {
           options_.seed + 0x9E3779B97F4A7C15ULL * static_cast<std::uint64_t>(k);
       Schedule own = plan.schedule;
       if (k % 2 == 1) own.hot = level.molten;
-      found[k].energy = anneal(net, membrane_at(level),
-                               {.schedule = own, .wanted = wanted_faces(level), .seed = seed});
+      found[k].energy =
+          anneal(net, membranes_.at(level),
+                 {.schedule = own, .wanted = membranes_.wanted_faces(level), .seed = seed});
+      if (has_few_places(level) && !watch_.stopped()) {
+        FreedDisclinations freed = free(net, level);
+        found[k].energy = freed.energy + price_of_pairs(net.mesh, level);
+        found[k].wanted_lengths = std::move(freed.lengths);
+      }
       found[k].state = net.on_surface.state();
     };
     // Small nets have few patches at a time, so that their orders are found at the same time.
     tbb::parallel_for(std::size_t{0}, found.size(),
                       [&](std::size_t k) { tbb::this_task_arena::isolate([&] { find(k); }); });
     std::erase_if(found, [](const Order& order) { return !std::isfinite(order.energy); });
-    if (found.empty()) return {start};
+    if (found.empty()) return {Order{.state = start}};
     std::ranges::stable_sort(found, {}, &Order::energy);
     if (!is_judged()) found.resize(1);
-    std::vector<ConstrainedMesh::State> states;
-    states.reserve(found.size());
-    for (Order& order : found) states.push_back(std::move(order.state));
-    return states;
+    return found;
   }
 
   struct Annealing {
@@ -305,31 +333,11 @@ class MembraneSearch {
     return rounds_for(schedule, options_.effort);
   }
 
-  /// Divides every face into four, in space.
-  void divide() {
-    TriMesh& mesh = net_.mesh;
-    std::vector<Eigen::Vector3d> positions(mesh.points(), mesh.points() + mesh.n_vertices());
-    positions.reserve(mesh.n_vertices() + mesh.n_edges());
-    for (const auto e : mesh.edges()) {
-      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-      positions.push_back(midpoint(mesh, mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)));
-    }
-    net_.on_surface.subdivide();
-    for (const auto v : mesh.vertices()) mesh.point(v) = positions[index(v)];
-  }
-
-  /// Of the net that is handed out. An open sheet that nothing holds would flatten.
-  [[nodiscard]] Membrane final_membrane() const {
-    Membrane membrane = membrane_at(levels.back());
-    if (!is_held(options_) && !is_open_) membrane.tether = membrane.cover = 0.0;
-    return membrane;
-  }
-
   /// Brings a net of the target length to rest.
   ///
   /// @return  Its energy, cores and the count term included [eV].
   double finish(Net& finished) {
-    MembraneNet net(finished.on_surface, surface_, final_membrane());
+    MembraneNet net(finished.on_surface, surface_, membranes_.last());
     if (watch_.stopped()) {
       net.relax(hasty_steps);
     } else {
@@ -337,7 +345,7 @@ class MembraneSearch {
       net.renew();
       if (!watch_.should_stop()) net.relax_across(closing_steps, watch_.question());
     }
-    return energy_of(net, wanted_faces(levels.back()));
+    return energy_of(net, membranes_.wanted_faces(levels.back()));
   }
 
   /// Finishes the candidates, and keeps the best.
@@ -348,7 +356,7 @@ class MembraneSearch {
       candidate.energy = finish(net) - candidate.favor;
       candidate.state = net.on_surface.state();
       if (!is_judged() || candidates_.size() == 1) return;
-      const double rims = rim_energy(final_membrane(), net.on_surface);
+      const double rims = rim_energy(membranes_.last(), net.on_surface);
       scale(net.mesh, 1.0 / scale_);
       candidate.energy = watch_.should_stop()
                              ? std::numeric_limits<double>::infinity()
@@ -363,8 +371,8 @@ class MembraneSearch {
 
   /// What a net of the target length costs for faces too many or too few [eV].
   [[nodiscard]] double count_energy(const TriMesh& mesh) const {
-    const int excess = static_cast<int>(mesh.n_faces()) - wanted_faces(levels.back());
-    return final_membrane().count_energy(excess);
+    const int excess = static_cast<int>(mesh.n_faces()) - membranes_.wanted_faces(levels.back());
+    return membranes_.last().count_energy(excess);
   }
 
   /// A net of the target length, or what it has come to.
@@ -379,10 +387,7 @@ class MembraneSearch {
   const Creases& creases_;
   const CrystalOptions& options_;
   SearchWatch& watch_;
-  double area_;
-  bool is_open_;
-  bool ends_in_tubes_;
-  double tether_factor_;
+  LevelMembranes membranes_;
   Net net_;
   ConstrainedMesh::State whole_surface_;  // as it came
   std::vector<Candidate> candidates_;

@@ -40,6 +40,10 @@ struct CrystalOptions {
   /// `follow`: 0.02 is about as close, 0.006 as carbon, 0.002 as free.
   std::optional<double> stiffness = {};
   NetRest rest = NetRest::on_surface;
+  /// Net at rest beside the surface, such as the next wall of carbon, or null. A net in space has
+  /// its disclinations above those of this one, where both are closed, of one component and of the
+  /// same genus, and there are no creases.
+  const TriMesh* beside = nullptr;
   /// Energy of a net in space above that of a flat one [eV], in the mesh's unit. If given, a small
   /// net is ordered more often, and the order whose energy is least is returned; if empty, the
   /// energy of the membrane decides.
