@@ -1,5 +1,6 @@
 #include "crystal/level_membranes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "crystal/tether_strength.h"
@@ -60,6 +61,13 @@ Membrane LevelMembranes::last() const {
   Membrane membrane = at(levels.back());
   if (!is_held(options_) && !is_open_) membrane.tether = membrane.cover = 0.0;
   return membrane;
+}
+
+double price_of_pairs(const TriMesh& net, const Level& level) {
+  if (level.coarseness < coarse_pairs) return 0.0;
+  const auto heptagons =
+      std::ranges::count_if(net.vertices(), [](const auto v) { return v.valence() > 6; });
+  return price_of_pair * static_cast<double>(heptagons);
 }
 
 }  // namespace trivalent::remesh

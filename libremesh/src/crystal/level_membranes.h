@@ -35,4 +35,8 @@ class LevelMembranes {
   double tether_factor_;
 };
 
+/// What the pairs of a first net will cost once it is divided, beyond what they do now [eV]: the
+/// number of heptagons tells several nets apart.
+[[nodiscard]] double price_of_pairs(const TriMesh& net, const Level& level);
+
 }  // namespace trivalent::remesh

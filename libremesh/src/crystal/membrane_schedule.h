@@ -29,7 +29,7 @@ struct Level {
   double molten;         ///< [eV] the same of every other one: crystals turn only once they melt
 };
 inline constexpr std::array<Level, 5> levels = {
-    {{16, 4.6, 1.5, 9.0, 0.0, 200, 8, 3.0e6, 5000, 4.0, 4.0},
+    {{16, 4.6, 1.5, 9.0, 0.0, 90, 8, 3.0e6, 5000, 4.0, 4.0},
      {8, 3.7, 0.6, 7.2, 0.0, 200, 8, 3.0e6, 5000, 4.0, 4.0},
      {4, 2.8, -0.3, 5.4, 0.0, 350, 4, 3.0e6, 5000, 4.0, 4.0},
      {2, 1.9, -1.2, 3.6, 0.0, 150, 4, 6.0e6, 5000, 4.0, 4.0},
@@ -56,9 +56,9 @@ inline constexpr Schedule climbing = {.hot = 0.5, .cold = 0.0, .rounds = 60};
 inline constexpr int coarse_places = 4;
 /// At so many times the length, or more, dislocations have large Burgers vectors: each costs so
 /// much more at last than the coarse net says. Four pairs of a sphere of 40,000 atoms, ordered at
-/// eight times the length, cost 51 eV.
+/// eight times the length, cost 51 eV, one of a sphere of 50,000 atoms 20 eV.
 inline constexpr int coarse_pairs = 8;
-inline constexpr double price_of_pair = 8.0;  // [eV]
+inline constexpr double price_of_pair = 15.0;  // [eV]
 /// [eV] of Membrane::pair while a net settles: cores of lone disclinations alone make pairs too
 /// cheap. Relaxed under REBO, Y and X junctions of 2,100 to 2,600 atoms pay 1.0 to 1.9 eV more for
 /// a pair than the membrane does. A net that orders moves its defects by pairs: P, gyroid and

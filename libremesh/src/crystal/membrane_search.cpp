@@ -35,15 +35,6 @@ constexpr int closing_steps = 400;
 constexpr int springing_sweeps = 60;  // of a net carried over from another surface
 constexpr int hasty_steps = 30;       // once the user wants to stop
 
-/// What the pairs of an order will cost once it is divided, beyond what they do now [eV]: the
-/// number of heptagons tells orders apart.
-double price_of_pairs(const TriMesh& net, const Level& level) {
-  if (level.coarseness < coarse_pairs) return 0.0;
-  const auto heptagons =
-      std::ranges::count_if(net.vertices(), [](const auto v) { return v.valence() > 6; });
-  return price_of_pair * static_cast<double>(heptagons);
-}
-
 class MembraneSearch {
  public:
   MembraneSearch(const SearchSurface& surface, const CrystalOptions& options, SearchWatch& watch)
@@ -87,8 +78,10 @@ class MembraneSearch {
     net_.on_surface.restore(whole_surface_);
     if (is_too_thin(net_.on_surface, length)) return false;
     const auto inflated_surface = inflated(net_.on_surface, min_thickness * length);
-    const std::unique_ptr<Net> net = coarse_starting_net(
-        inflated_surface.value_or(surface_), creases_, membranes_.area(), starting_options(length));
+    StartingNetOptions options = starting_options(length);
+    options.min_vertices = level.min_vertices;
+    const std::unique_ptr<Net> net = coarse_starting_net(inflated_surface.value_or(surface_),
+                                                         creases_, membranes_.area(), options);
     if (!net) return false;
     net_.on_surface.restore(net->on_surface.state());
     return true;

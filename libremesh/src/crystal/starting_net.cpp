@@ -20,9 +20,6 @@ constexpr int first_iterations = 20;
 constexpr int quick_first_iterations = 14;  // after 8, folds of some coarse nets are left
 constexpr int first_sweeps = 60;            // of the springs
 
-/// A coarse net must have room for patches, or there is nothing to gain.
-constexpr int min_coarse_vertices = 150;
-
 RemeshOptions paper_options(const StartingNetOptions& options) {
   return {.target_edge_length = options.length,
           .iterations = options.effort == Effort::quick ? quick_first_iterations : first_iterations,
@@ -86,7 +83,7 @@ std::unique_ptr<Net> coarse_starting_net(const TriMesh& surface, const Creases& 
                                          double area, const StartingNetOptions& options) {
   const double unit_area = 2.0 * unit_triangle_area;  // per vertex of a net of edge 1
   const double length = options.length;
-  if (area < min_coarse_vertices * unit_area * length * length) return nullptr;
+  if (area < options.min_vertices * unit_area * length * length) return nullptr;
   if (!can_hold(surface, length)) return nullptr;
   std::unique_ptr<Net> net = starting_net(surface, creases, options);
   if (!net) return nullptr;

@@ -25,6 +25,7 @@ struct Net {
 struct StartingNetOptions {
   double length = 0.0;  ///< of their edges
   Effort effort = Effort::normal;
+  double min_vertices = 150.0;  ///< of a coarse net: with fewer there is no room for patches
   std::function<bool()> should_stop = {};
 };
 
