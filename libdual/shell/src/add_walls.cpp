@@ -23,7 +23,7 @@ using remesh::TriMesh;
 /// A facet moved inwards shrinks, one moved outwards is joined to the next by a rounded corner:
 /// mean radii of faceted cages change by more and by less than the offset. By these factors of it,
 /// onions of 5,000 atoms at rest under AIREBO have the spacing.
-constexpr double outward_factor = 1.010;
+constexpr double outward_factor = 1.008;
 constexpr double inward_factor = 0.95;
 
 double sign_of(WallSide side) { return side == WallSide::outwards ? 1.0 : -1.0; }

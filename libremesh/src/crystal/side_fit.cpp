@@ -15,7 +15,7 @@ constexpr double cold = 0.1;  // of the misfit
 constexpr int trials_per_side = 60000;
 constexpr int heatings = 10;  // one long annealing comes less near
 constexpr int max_trials = 8'000'000;
-constexpr double stiffness_of_faces = 2.0;
+constexpr double stiffness_of_faces = 20.0;
 
 /// What sides and faces cost, kept from trial to trial.
 class SideFit {

@@ -15,9 +15,9 @@ struct WantedSides {
 };
 
 /// Moves disclinations until the sides are nearly as long as wanted: searches by annealing
-/// [Kirkpatrick1983] for the least Σ (|s| - l)² + 2 (F - F0)²/F0 over the sides s of wanted lengths
-/// l and the number of faces F of wanted number F0. That is about what stretching costs where the
-/// net is flat.
+/// [Kirkpatrick1983] for the least Σ (|s| - l)² + 20 (F - F0)²/F0 over the sides s of wanted
+/// lengths l and the number of faces F of wanted number F0. The first is about what stretching
+/// costs; the second keeps walls of onions at their distances.
 void fit_sides(ConeNet& cones, const WantedSides& wanted);
 
 }  // namespace trivalent::remesh
