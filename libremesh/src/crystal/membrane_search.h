@@ -6,9 +6,10 @@
 
 namespace trivalent::remesh {
 
-/// The ground state of a membrane near a surface, searched for by annealing: at eight, four or two
-/// times the target length, as long as the surface is thick and large enough for; then divided and
-/// annealed colder at half the length each time. Its vertices are where the membrane is at rest.
+/// The ground state of a membrane near a surface, searched for by annealing: at sixteen, eight,
+/// four or two times the target length, as long as the surface is thick and large enough for; then
+/// divided and annealed colder at half the length each time, or divided at once with its
+/// disclinations where the membrane wants them. Its vertices are where the membrane is at rest.
 ///
 /// @return  Nothing where the surface is too thin for a net of twice the target length, or if the
 ///   search was stopped before there was a net.

@@ -72,6 +72,11 @@ struct CrystalOptions {
 /// 3. Divides every face into four, which adds no defects, and anneals again at lower temperature,
 ///    until the target length is reached.
 ///
+/// On closed surfaces without creases, a net in space that begins at four times the target length
+/// or more has few places for its disclinations. It is divided at once, with them where the
+/// membrane wants them: a net without other defects follows from where its disclinations lie in its
+/// own flat metric [Thurston1998]. Quick searches leave that out.
+///
 /// In space, the energy is that of a membrane which stretches and bends like graphene, avoids
 /// itself and is tethered to the surface [Seung1988]. A membrane buckles at a pentagon and needs no
 /// scars of dislocations, unlike a crystal on a rigid surface. Creases stay where they are; an
