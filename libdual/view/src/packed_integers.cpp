@@ -32,7 +32,7 @@ std::vector<std::uint32_t> differences(std::span<const std::int32_t> values, std
 std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<unsigned char> result(size);
-  constexpr int level = 9;
+  constexpr int level = 6;
   if (compress2(result.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) !=
       Z_OK) {
     throw Error("write_shell_page: zlib cannot compress the data");
