@@ -1,9 +1,6 @@
 #include "crystal/cone_net.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <numeric>
 #include <unordered_map>
 
 #include "trivalent/remesh/mesh.h"
@@ -34,30 +31,6 @@ std::int64_t floor_of(std::int64_t a, std::int64_t b) {
 }
 
 }  // namespace
-
-std::int64_t twice_dot(const LatticeVector& u, const LatticeVector& v) {
-  return 2 * (u.x() * v.x() + u.y() * v.y()) + u.x() * v.y() + u.y() * v.x();
-}
-
-LatticeVector turned(LatticeVector v, int sixths) {
-  const int times = (sixths % sixths_of_turn + sixths_of_turn) % sixths_of_turn;
-  for (int i = 0; i < times; ++i) v = LatticeVector(-v.y(), v.x() + v.y());
-  return v;
-}
-
-std::int64_t area_of(const LatticeVector& u, const LatticeVector& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
-
-double length_of(const LatticeVector& v) {
-  return std::sqrt(0.5 * static_cast<double>(twice_dot(v, v)));
-}
-
-std::complex<double> in_plane(const LatticeVector& v) {
-  constexpr double height = 0.5 * std::numbers::sqrt3;
-  const auto y = static_cast<double>(v.y());
-  return {static_cast<double>(v.x()) + 0.5 * y, height * y};
-}
 
 ConeNet::ConeNet(std::span<const std::array<int, 3>> triangles, std::size_t n_vertices)
     : inside_(triangles.size()), outgoing_(n_vertices, -1) {
@@ -285,7 +258,7 @@ ConeNet::Net ConeNet::net() const {
 
 ConeNet::Mean ConeNet::mean_at(const ConeNet& moved, const Place& place) const {
   const int h = 3 * place.triangle;
-  const LatticeVector a = moved.side(h);
+  const LatticeVector& a = moved.side(h);
   const LatticeVector b = moved.corner(h + 2);
   const LatticeVector here = area_of(place.at, b) * side(h) + area_of(a, place.at) * corner(h + 2);
   return mean_of({place.triangle, here}, area_of(a, b));

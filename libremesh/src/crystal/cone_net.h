@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -10,21 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "mesh/lattice_vector.h"
+
 namespace trivalent::remesh {
-
-/// A vector x a1 + y a2 of the triangular lattice of edge 1, where a2 is a1 turned by 60°.
-using LatticeVector = Eigen::Matrix<std::int64_t, 2, 1>;
-
-/// Turned by so many times 60°, counter-clockwise.
-[[nodiscard]] LatticeVector turned(LatticeVector v, int sixths);
-/// Area of the triangle with the sides u and v [triangles of the lattice]: positive where v is to
-/// the left of u.
-[[nodiscard]] std::int64_t area_of(const LatticeVector& u, const LatticeVector& v);
-/// Twice the scalar product.
-[[nodiscard]] std::int64_t twice_dot(const LatticeVector& u, const LatticeVector& v);
-[[nodiscard]] double length_of(const LatticeVector& v);
-/// In the plane, with a1 along the real axis.
-[[nodiscard]] std::complex<double> in_plane(const LatticeVector& v);
 
 /// The disclinations of a closed net, joined by large triangles that are flat in the net's own
 /// metric, where every edge has length 1 [Thurston1998]. The sides of a triangle are vectors of the
@@ -141,6 +128,7 @@ class ConeNet {
   [[nodiscard]] bool is_inside_star(int outgoing) const;
   bool flip(int h, int min_area = 1);
   bool remove_vertex(int outgoing);
+  bool lower_degree(int v, int degree);
   void remove_flat_vertices(std::span<const int> valences);
   void make_delaunay();
   void drop_removed();

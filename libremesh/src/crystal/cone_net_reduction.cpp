@@ -7,6 +7,13 @@
 
 namespace trivalent::remesh {
 
+namespace {
+
+/// Of a vertex that can be taken out: its triangles become one.
+constexpr int removable_degree = 3;
+
+}  // namespace
+
 int ConeNet::degree_of(int outgoing) const {
   int degree = 0;
   int h = outgoing;
@@ -127,6 +134,23 @@ bool ConeNet::remove_vertex(int outgoing) {
   return true;
 }
 
+/// Flips one of the sides at a vertex of so many.
+bool ConeNet::lower_degree(int v, int degree) {
+  // What is removed next may lie on a side.
+  const bool is_last = degree == removable_degree + 1;
+  const int min_area = is_last && is_inside_star(outgoing_[index(v)]) ? 0 : 1;
+  int h = outgoing_[index(v)];
+  const int last = h;
+  do {
+    const int following = opposite(previous(h));
+    // The new side must not begin at the vertex again.
+    const bool is_away = to(h) != v && to(next(h)) != v && to(next(opposite(h))) != v;
+    if (is_away && flip(h, min_area)) return true;
+    h = following;
+  } while (h != last);
+  return false;
+}
+
 void ConeNet::remove_flat_vertices(std::span<const int> valences) {
   constexpr int flat = 6;
   std::vector<int> left;
@@ -136,29 +160,14 @@ void ConeNet::remove_flat_vertices(std::span<const int> valences) {
   // In no order along the net, so that all triangles grow alike.
   std::ranges::stable_sort(left, {},
                            [](int v) { return hashed(0, static_cast<std::uint64_t>(v)); });
-  constexpr int removable = 3;
-  const auto lower_degree = [&](int v, int degree) {
-    // What is removed next may lie on a side.
-    const int min_area = degree == removable + 1 && is_inside_star(outgoing_[index(v)]) ? 0 : 1;
-    int h = outgoing_[index(v)];
-    const int last = h;
-    do {
-      const int following = opposite(previous(h));
-      // The new side must not begin at the vertex again.
-      const bool is_away = to(h) != v && to(next(h)) != v && to(next(opposite(h))) != v;
-      if (is_away && flip(h, min_area)) return true;
-      h = following;
-    } while (h != last);
-    return false;
-  };
   // Where a vertex is a neighbor of itself, others must go first.
   std::size_t before = left.size() + 1;
   while (!left.empty() && left.size() < before) {
     before = left.size();
     std::erase_if(left, [&](int v) {
       int degree = degree_of(outgoing_[index(v)]);
-      while (degree > removable && lower_degree(v, degree)) --degree;
-      return degree == removable && remove_vertex(outgoing_[index(v)]);
+      while (degree > removable_degree && lower_degree(v, degree)) --degree;
+      return degree == removable_degree && remove_vertex(outgoing_[index(v)]);
     });
   }
 }

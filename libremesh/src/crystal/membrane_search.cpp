@@ -145,7 +145,8 @@ class MembraneSearch {
           divided_net(net_.mesh, net_.on_surface.surface(), parts,
                       {.lengths = std::move(lengths),
                        .faces = static_cast<double>(membranes_.wanted_faces(levels[next])),
-                       .seed = options_.seed});
+                       .seed = options_.seed,
+                       .should_stop = watch_.question()});
       if (!divided) break;
       net_.on_surface.restore(*divided);
       level = next;
@@ -216,8 +217,11 @@ class MembraneSearch {
     const TriMesh* beside = options_.beside;
     if (beside == nullptr || !net_.on_surface.curves().empty()) return false;
     if (!are_alike(*beside, surface_)) return false;
-    const auto carried = carried_net(scaled(*beside, scale_), net_.on_surface.surface(),
-                                     membranes_.wanted_faces(levels.back()), options_.seed);
+    const auto carried =
+        carried_net(scaled(*beside, scale_), net_.on_surface.surface(),
+                    {.faces = static_cast<double>(membranes_.wanted_faces(levels.back())),
+                     .seed = options_.seed,
+                     .should_stop = watch_.question()});
     if (!carried) return false;
     net_.on_surface.restore(*carried);
     unfold(net_.on_surface);

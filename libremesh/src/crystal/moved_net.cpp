@@ -78,11 +78,10 @@ bool are_alike(const TriMesh& a, const TriMesh& b) {
 }
 
 std::optional<ConstrainedMesh::State> carried_net(const TriMesh& net,
-                                                  const SurfaceProjector& surface, double faces,
-                                                  std::uint64_t seed) {
+                                                  const SurfaceProjector& surface,
+                                                  WantedSides wanted) {
   const ConeNet given(triangles_of(net), net.n_vertices());
-  WantedSides wanted{
-      .lengths = std::vector<double>(index(given.n_halfedges())), .faces = faces, .seed = seed};
+  wanted.lengths.resize(index(given.n_halfedges()));
   for (int h = 0; h < given.n_halfedges(); ++h) {
     const int g = given.opposite(h);
     wanted.lengths[index(h)] = g < h ? wanted.lengths[index(g)]

@@ -16,11 +16,11 @@ namespace trivalent::remesh {
 ///
 /// @param net      At rest beside the surface.
 /// @param surface  Of a mesh that is like the net, as of are_alike().
-/// @param faces    Number of faces wanted, about.
+/// @param wanted   Without lengths, which follow from the surface.
 /// @return  With vertices where the net is; nothing if two would be neighbors twice.
 [[nodiscard]] std::optional<ConstrainedMesh::State> carried_net(const TriMesh& net,
                                                                 const SurfaceProjector& surface,
-                                                                double faces, std::uint64_t seed);
+                                                                WantedSides wanted);
 
 /// Divides every face into four at the midpoints of its edges, which stay off the surface.
 void divide_in_space(ConstrainedMesh& net);

@@ -85,6 +85,7 @@ void fit_sides(ConeNet& cones, const WantedSides& wanted) {
   double least = fit.misfit();
   std::uint64_t count = 0;
   for (int heating = 0; heating < heatings; ++heating) {
+    if (wanted.should_stop && wanted.should_stop()) break;
     for (int k = 0; k < trials; ++k) {
       const double temperature = hot * std::pow(cold / hot, static_cast<double>(k) / trials);
       const std::uint64_t random = hashed(wanted.seed, ++count);

@@ -16,21 +16,15 @@ namespace {
 
 constexpr const char* property_name = "tube that ends here";
 
-double length_of(const LatticeStep& v) {
-  return std::sqrt(v.x() * v.x() + v.x() * v.y() + v.y() * v.y());
-}
-
 }  // namespace
 
 double circumference_of(ChiralIndices tube) { return length_of({tube.n, tube.m}); }
 
 double LatticePath::distance_to(const ChiralIndices& tube) const {
   double least = std::numeric_limits<double>::infinity();
-  LatticeStep around = {tube.n, tube.m};
   constexpr int directions = 6;
   for (int i = 0; i < directions; ++i) {
-    least = std::min(least, length_of(sum - around));
-    around = turned(around);
+    least = std::min(least, length_of(sum - turned({tube.n, tube.m}, i)));
   }
   return least;
 }
@@ -95,8 +89,8 @@ std::vector<std::optional<ChiralIndices>> find_tube_ends(const TriMesh& net) {
     // The edge of a ribbon leads to an image of itself, not around a tube.
     const bool is_ribbon = net.lattice.image_of(translation) != Lattice::Image{};
     if (path.deviation != 0 || path.sum.isZero() || is_ribbon) continue;
-    while (path.sum.x() <= 0 || path.sum.y() < 0) path.sum = turned(path.sum);
-    tubes.back() = {path.sum.x(), path.sum.y()};
+    while (path.sum.x() <= 0 || path.sum.y() < 0) path.sum = turned(path.sum, 1);
+    tubes.back() = {static_cast<int>(path.sum.x()), static_cast<int>(path.sum.y())};
   }
   return tubes;
 }
