@@ -26,6 +26,12 @@ std::optional<LatticeVector> quotient(const LatticeVector& u, const LatticeVecto
   return LatticeVector(p.x() / norm, p.y() / norm);
 }
 
+/// Sorts, and keeps one of those that are equal.
+void sort_once(std::vector<int>& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+}
+
 std::int64_t floor_of(std::int64_t a, std::int64_t b) {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
@@ -151,7 +157,9 @@ ConeNet::Motion ConeNet::motion_of(int halfedge) const {
     const LatticeVector factor = turned_unit(sixths);
     motion.steps.push_back({h, is_of_end, -factor});
     motion.steps.push_back({previous(h), is_of_end, factor});
-    for (int k = 0; k < 3; ++k) motion.halfedges.push_back(h - h % 3 + k);
+    motion.sides.push_back(h);
+    motion.sides.push_back(previous(h));
+    motion.triangles.push_back(h - h % 3);
   };
   // Around the beginning counter-clockwise and around the end clockwise, from the triangle of the
   // half-edge to the one across.
@@ -171,21 +179,23 @@ ConeNet::Motion ConeNet::motion_of(int halfedge) const {
   const LatticeVector direct = turned_unit(turn(halfedge));
   motion.numerator = turned_unit(around_from) - direct;
   motion.denominator = turned_unit(around_to) - direct;
-  std::ranges::sort(motion.halfedges);
-  motion.halfedges.erase(std::ranges::unique(motion.halfedges).begin(), motion.halfedges.end());
+  motion.ratio = quotient(motion.numerator, motion.denominator);
+  sort_once(motion.sides);
+  sort_once(motion.triangles);
   return motion;
 }
 
 bool ConeNet::move(int halfedge, const LatticeVector& by) {
   const Motion& motion = motions_[index(halfedge)];
   const std::optional<LatticeVector> by_of_end =
-      quotient(product(motion.numerator, by), motion.denominator);
+      motion.ratio ? product(*motion.ratio, by)
+                   : quotient(product(motion.numerator, by), motion.denominator);
   if (!by_of_end) return false;
   for (const auto& [h, is_of_end, factor] : motion.steps) {
     at(h).side += product(factor, is_of_end ? *by_of_end : by);
   }
   const auto is_turned_over = [&](int h) { return area_of(side(h), side(next(h))) <= 0; };
-  if (std::ranges::none_of(motion.halfedges, is_turned_over)) return true;
+  if (std::ranges::none_of(motion.triangles, is_turned_over)) return true;
   for (const auto& [h, is_of_end, factor] : motion.steps) {
     at(h).side -= product(factor, is_of_end ? *by_of_end : by);
   }

@@ -49,9 +49,13 @@ class ConeNet {
   /// @return  False, with nothing done, if the other one would leave the lattice, or if a large
   ///   triangle would turn over.
   bool move(int halfedge, const LatticeVector& by);
-  /// All half-edges of the triangles that such a move changes.
-  [[nodiscard]] std::span<const int> moved_with(int halfedge) const {
-    return motions_[static_cast<std::size_t>(halfedge)].halfedges;
+  /// The half-edges whose sides such a move changes, in ascending order.
+  [[nodiscard]] std::span<const int> sides_moved_with(int halfedge) const {
+    return motions_[static_cast<std::size_t>(halfedge)].sides;
+  }
+  /// The first half-edges of the triangles that it changes, in ascending order.
+  [[nodiscard]] std::span<const int> triangles_moved_with(int halfedge) const {
+    return motions_[static_cast<std::size_t>(halfedge)].triangles;
   }
 
   /// How a side changes with a move.
@@ -107,8 +111,10 @@ class ConeNet {
   struct Motion {
     LatticeVector numerator = LatticeVector::Zero();  ///< of the end's vector, by the beginning's
     LatticeVector denominator = LatticeVector::Zero();
+    std::optional<LatticeVector> ratio;  ///< of the two, if the lattice has it
     std::vector<Step> steps;
-    std::vector<int> halfedges;  ///< of all triangles that change, in ascending order
+    std::vector<int> sides;
+    std::vector<int> triangles;
   };
   /// Places that are equal have equal keys.
   using Key = std::array<std::int64_t, 3>;

@@ -22,10 +22,8 @@ class SideFit {
  public:
   SideFit(ConeNet& cones, const WantedSides& wanted)
       : cones_(cones), wanted_(wanted), faces_(static_cast<double>(cones.n_faces())) {
-    for (int h = 0; h < cones.n_halfedges(); ++h) {
-      costs_.push_back(cost(h));
-      areas_.push_back(area(h));
-    }
+    for (int h = 0; h < cones.n_halfedges(); ++h) costs_.push_back(cost(h));
+    for (int h = 0; h < cones.n_halfedges(); h += 3) areas_.push_back(area(h));
   }
 
   /// Moves a disclination, unless the cost rises by more than max_rise.
@@ -33,18 +31,14 @@ class SideFit {
     if (!cones_.move(h, by)) return;
     double faces = faces_;
     double rise = 0.0;
-    for (const int x : cones_.moved_with(h)) {
-      rise += 0.5 * (cost(x) - costs_[index(x)]);
-      faces += (area(x) - areas_[index(x)]) / 3.0;
-    }
+    for (const int x : cones_.sides_moved_with(h)) rise += 0.5 * (cost(x) - costs_[index(x)]);
+    for (const int x : cones_.triangles_moved_with(h)) faces += area(x) - areas_[index(x / 3)];
     if (rise + cost_of_faces(faces) - cost_of_faces(faces_) > max_rise) {
       static_cast<void>(cones_.move(h, -by));
       return;
     }
-    for (const int x : cones_.moved_with(h)) {
-      costs_[index(x)] = cost(x);
-      areas_[index(x)] = area(x);
-    }
+    for (const int x : cones_.sides_moved_with(h)) costs_[index(x)] = cost(x);
+    for (const int x : cones_.triangles_moved_with(h)) areas_[index(x / 3)] = area(x);
     faces_ = faces;
   }
 
@@ -72,7 +66,7 @@ class SideFit {
   const WantedSides& wanted_;
   double faces_;
   std::vector<double> costs_;  // of every half-edge
-  std::vector<double> areas_;
+  std::vector<double> areas_;  // of every large triangle
 };
 
 }  // namespace
