@@ -1,5 +1,6 @@
 #include "crystal/membrane_laplacian.h"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <vector>
 
@@ -16,6 +17,7 @@ MembraneLaplacian::MembraneLaplacian(const Membrane& membrane, const MembraneTer
                                      std::size_t count, const VertexImages& images) {
   // The mean over all directions in the net of a spring, which has no stiffness across it.
   const double spring = 0.5 * membrane.stretching;
+  using Matrix = Eigen::SparseMatrix<double>;
   std::vector<double> diagonal(count, relative_anchor * membrane.stretching);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(count + terms.hinges.size() + terms.edges.size());
@@ -38,15 +40,33 @@ MembraneLaplacian::MembraneLaplacian(const Membrane& membrane, const MembraneTer
   }
   Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_.compute(matrix);
+  const Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factorization(matrix);
+  factor_ = Matrix(factorization.matrixL()).cast<float>();
+  const auto& places = factorization.permutationP().indices();
+  place_.assign(places.begin(), places.end());
 }
 
 void MembraneLaplacian::apply(Eigen::VectorXd& v) const {
+  using Column = Eigen::SparseMatrix<float>::InnerIterator;
   const Eigen::Index n = factor_.rows();
   auto lanes = v.reshaped(4, n);
-  const Eigen::Matrix<double, Eigen::Dynamic, 3> solved =
-      factor_.solve(Eigen::Matrix<double, Eigen::Dynamic, 3>(lanes.topRows<3>().transpose()));
-  lanes.topRows<3>() = solved.transpose();
+  std::vector<Lanes<float>> x(place_.size());
+  const auto at = [&](Eigen::Index i) -> Lanes<float>& { return x[static_cast<std::size_t>(i)]; };
+  for (Eigen::Index i = 0; i < n; ++i)
+    at(place_[static_cast<std::size_t>(i)]) = lanes.col(i).cast<float>();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    Column entry(factor_, j);
+    at(j) /= entry.value();
+    while (++entry) at(entry.row()) -= entry.value() * at(j);
+  }
+  for (Eigen::Index j = n; j-- > 0;) {
+    Column entry(factor_, j);
+    const float diagonal = entry.value();
+    while (++entry) at(j) -= entry.value() * at(entry.row());
+    at(j) /= diagonal;
+  }
+  for (Eigen::Index i = 0; i < n; ++i)
+    lanes.col(i) = at(place_[static_cast<std::size_t>(i)]).cast<double>();
 }
 
 }  // namespace trivalent::remesh

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <cstddef>
+#include <vector>
 
 #include "crystal/membrane.h"
 #include "crystal/vertex_images.h"
@@ -12,7 +13,8 @@ namespace trivalent::remesh {
 /// for the minimization of a whole net.
 ///
 /// It spreads what one vertex feels over the whole net at once, where MembranePreconditioner needs
-/// a step for every edge on the way.
+/// a step for every edge on the way. In single precision: it is an approximation anyway, and its
+/// time goes with the memory it takes.
 class MembraneLaplacian {
  public:
   /// @param count  Vertices that move: 0 to count - 1.
@@ -23,8 +25,8 @@ class MembraneLaplacian {
   void apply(Eigen::VectorXd& v) const;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+  Eigen::SparseMatrix<float> factor_;  ///< lower triangle; diagonals first in its columns
+  std::vector<int> place_;             ///< of each vertex in it
 };
 
 }  // namespace trivalent::remesh

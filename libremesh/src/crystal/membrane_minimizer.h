@@ -7,6 +7,7 @@
 #include "crystal/membrane.h"
 #include "crystal/membrane_laplacian.h"
 #include "crystal/membrane_preconditioner.h"
+#include "crystal/parallel_membrane.h"
 #include "crystal/vertex_images.h"
 
 namespace trivalent::remesh {
@@ -43,11 +44,11 @@ double minimize_membrane(Lbfgs<double>& minimizer, const MembraneInCell& cell,
   }
   cell.images.place(cell.lattice, lanes);
   std::vector<Lanes<double>> slopes(lanes.size());
+  ParallelMembrane membrane(cell.membrane, cell.terms, lanes.size());
   const auto evaluate = [&](const Lbfgs<double>::Vector& at, Lbfgs<double>::Vector& gradient) {
     std::copy_n(at.data(), at.size(), lanes[0].data());
     cell.images.place(cell.lattice, lanes);
-    std::ranges::fill(slopes, Lanes<double>::Zero());
-    const double energy = membrane_energy(cell.membrane, cell.terms, lanes, slopes);
+    const double energy = membrane.evaluate(lanes, slopes);
     cell.images.collect(slopes);
     std::copy_n(slopes[0].data(), at.size(), gradient.data());
     return energy;

@@ -46,9 +46,9 @@ Lanes<double> in_lanes(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 
 
 constexpr double samples_per_vertex = 2.0;
 
-/// [edges] within which a sample's vertex is looked for: a tip that has drawn back farther than the
-/// last is given up.
-constexpr std::array<double, 3> owner_radii = {1.0, 2.0, 5.0};
+/// [edges] within which a sample's vertex is looked for, one after the other: a tip that has drawn
+/// back farther than the last is given up.
+constexpr std::array<double, 5> owner_radii = {1.0, 2.0, 3.0, 4.0, 5.0};
 
 }  // namespace
 
@@ -149,7 +149,8 @@ void MembraneNet::find_pulls() {
   pull_begin_.assign(mesh.n_vertices() + 1, 0);
   pulled_.clear();
   if (membrane_.cover == 0.0) return;
-  const PointGrid grid(mesh, membrane_.length, owner_radii.back() * membrane_.length);
+  // Of larger cells fewer must be looked up, of smaller ones there are fewer vertices too far.
+  const PointGrid grid(mesh, 2.0 * membrane_.length, owner_radii.back() * membrane_.length);
   std::vector<std::optional<VertexHandle>> owners(samples_.size());
   tbb::parallel_for(std::size_t{0}, samples_.size(),
                     [&](std::size_t i) { owners[i] = owner_of(samples_[i], grid); });

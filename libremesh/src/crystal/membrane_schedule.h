@@ -31,8 +31,8 @@ struct Level {
 inline constexpr std::array<Level, 5> levels = {
     {{16, 4.6, 1.5, 9.0, 0.0, 90, 8, 3.0e6, 5000, 4.0, 4.0},
      {8, 3.7, 0.6, 7.2, 0.0, 200, 8, 3.0e6, 5000, 4.0, 4.0},
-     {4, 2.8, -0.3, 5.4, 0.0, 350, 4, 3.0e6, 5000, 4.0, 4.0},
-     {2, 1.9, -1.2, 3.6, 0.0, 150, 4, 6.0e6, 5000, 4.0, 4.0},
+     {4, 2.8, -0.3, 5.4, 0.0, 350, 4, 2.0e6, 5000, 4.0, 4.0},
+     {2, 1.9, -1.2, 3.6, 0.0, 150, 4, 3.4e6, 5000, 4.0, 4.0},
      {1, 1.6, -1.4, -2.8, 0.7, 0, 4, 5.8e6, 4800, 2.0, 4.0}}};
 
 /// Temperatures [eV] and rounds of an annealing.
@@ -99,9 +99,9 @@ struct OrderPlan {
 };
 
 inline OrderPlan plan_order(const Level& level, double vertices, Effort effort) {
-  // A quick search does not choose among coarse orders: it makes one in half the time.
+  // A quick search does not choose among coarse orders: it makes one in less time.
   const bool is_single = effort == Effort::quick && level.coarseness >= coarse_places;
-  const double vertex_rounds = (is_single ? 0.5 : 1.0) * level.vertex_rounds;
+  const double vertex_rounds = (is_single ? 0.75 : 1.0) * level.vertex_rounds;
   const double affordable = vertex_rounds / (vertices * min_ordering_rounds);
   const int orders = effort == Effort::quick
                          ? 1

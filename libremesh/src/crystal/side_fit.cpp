@@ -1,7 +1,11 @@
 #include "crystal/side_fit.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "crystal/defect_moves.h"
 #include "trivalent/remesh/mesh.h"
@@ -13,7 +17,8 @@ namespace {
 constexpr double hot = 1.5;   // of the misfit
 constexpr double cold = 0.1;  // of the misfit
 constexpr int trials_per_side = 60000;
-constexpr int heatings = 10;  // one long annealing comes less near
+constexpr int chains = 4;    // of annealings, side by side
+constexpr int heatings = 3;  // of each, one after the other: one long annealing comes less near
 constexpr int max_trials = 8'000'000;
 constexpr double stiffness_of_faces = 20.0;
 
@@ -69,15 +74,20 @@ class SideFit {
   std::vector<double> areas_;  // of every large triangle
 };
 
-}  // namespace
+/// A net that was fitted.
+struct Fitted {
+  ConeNet cones;
+  double misfit;
+};
 
-void fit_sides(ConeNet& cones, const WantedSides& wanted) {
+/// @param first  Of the random numbers.
+Fitted anneal(const ConeNet& start, const WantedSides& wanted, std::uint64_t first) {
+  ConeNet cones = start;
   SideFit fit(cones, wanted);
   const int halfedges = cones.n_halfedges();
-  const int trials = std::min(max_trials, trials_per_side / 2 * halfedges) / heatings;
-  ConeNet best = cones;
-  double least = fit.misfit();
-  std::uint64_t count = 0;
+  const int trials = std::min(max_trials, trials_per_side / 2 * halfedges) / (chains * heatings);
+  Fitted best{cones, fit.misfit()};
+  std::uint64_t count = first;
   for (int heating = 0; heating < heatings; ++heating) {
     if (wanted.should_stop && wanted.should_stop()) break;
     for (int k = 0; k < trials; ++k) {
@@ -87,13 +97,21 @@ void fit_sides(ConeNet& cones, const WantedSides& wanted) {
       const LatticeVector by = turned(LatticeVector(1, 0), static_cast<int>((random >> 40U) % 6U));
       fit.try_move(h, by, largest_rise(temperature, hashed(random, 1), 0.0));
     }
-    const double reached = fit.misfit();
-    if (reached < least) {
-      least = reached;
-      best = cones;
-    }
+    if (fit.misfit() < best.misfit) best = {cones, fit.misfit()};
   }
-  cones = best;
+  return best;
+}
+
+}  // namespace
+
+void fit_sides(ConeNet& cones, const WantedSides& wanted) {
+  std::array<std::optional<Fitted>, chains> found;
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+    found[k] = anneal(cones, wanted, k * static_cast<std::uint64_t>(max_trials));
+  });
+  const auto best = std::ranges::min_element(
+      found, {}, [](const std::optional<Fitted>& each) { return each->misfit; });
+  cones = std::move((*best)->cones);
 }
 
 }  // namespace trivalent::remesh
