@@ -216,6 +216,17 @@ TEST(FitSides, FindsANetWhoseSidesAreNearlyAsWanted) {
   EXPECT_LT(squares, 0.2 * squares_before);
 }
 
+TEST(FitSides, LeavesTheNetAsItIsWhereItShouldStop) {
+  const ConeNet given = cone_net_of(icosahedral_net(8));
+  std::vector<double> longer = side_lengths(given);
+  for (double& length : longer) length += 2.0;
+  ConeNet fitted = given;
+  fit_sides(fitted, {.lengths = std::move(longer),
+                     .faces = static_cast<double>(given.n_faces()),
+                     .should_stop = [] { return true; }});
+  EXPECT_EQ(side_lengths(fitted), side_lengths(given));
+}
+
 /// A membrane on a sphere, whose disclinations are freed.
 class Freed {
  public:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -9,6 +10,7 @@
 #include "crystal/membrane_minimizer.h"
 #include "crystal/membrane_net.h"
 #include "crystal/membrane_preconditioner.h"
+#include "crystal/parallel_membrane.h"
 #include "trivalent/remesh/shapes.h"
 
 namespace trivalent::remesh {
@@ -68,6 +70,36 @@ TEST(MembraneEnergy, GradientOfTethersMatches) {
   expect_gradient_of_energy(
       {.tethers = {{0, 0.3, {0.1, 0.2, 0.3, 0.0}, Lanes<double>(1.0, 2.0, -1.0, 0.0).normalized()},
                    {4, 0.7, {0.0, -0.5, 0.3, 0.0}, Lanes<double>(0.0, 0.0, 1.0, 0.0)}}});
+}
+
+TEST(ParallelMembrane, IsTheSumOfAllTermsWhateverTheParts) {
+  // More hinges than a part has at least, and numbers of other terms that no number of parts
+  // divides.
+  constexpr int count = 9001;
+  const Membrane membrane;
+  LanePositions x;
+  MembraneTerms<double> terms;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-0.3, 0.3);
+  for (int i = 0; i < count; ++i) {
+    x.emplace_back(1.5 * i + noise(random), noise(random), noise(random), 0.0);
+    if (i < 3) continue;
+    terms.hinges.push_back({i - 2, i - 1, i - 3, i});
+    terms.contacts.push_back({i - 1, i});
+    if (i % 3 == 0) terms.tethers.push_back({i, 0.4, x[0], Lanes<double>(0.0, 0.0, 1.0, 0.0)});
+    if (i % 7 == 0) terms.edges.push_back({i - 1, i});
+    if (i % 11 == 0) terms.pulls.push_back({i, 0.2, x[0]});
+  }
+  LanePositions expected(count, Lanes<double>::Zero());
+  const double energy = membrane_energy(membrane, terms, x, expected);
+  LanePositions gradient(count, Lanes<double>::Constant(1.0));
+  ParallelMembrane parallel(membrane, terms, count);
+  EXPECT_NEAR(parallel.evaluate(x, gradient), energy, 1e-12 * energy);
+  double largest = 0.0;
+  for (const auto& slope : expected) largest = std::max(largest, slope.norm());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    ASSERT_LT((gradient[i] - expected[i]).norm(), 1e-12 * largest) << i;
+  }
 }
 
 TEST(MembraneEnergy, GradientOfPullsMatches) {
