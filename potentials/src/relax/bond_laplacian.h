@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <span>
+#include <vector>
 
 #include "relax/vectors.h"
 #include "trivalent/potentials/relax.h"
@@ -13,7 +14,8 @@ namespace trivalent::potentials::relax_detail {
 /// touch.
 ///
 /// It removes the slow stretching modes of large pieces from a minimization and leaves the bending
-/// modes. Of one piece, it depends on the network only and is factorized once.
+/// modes. Of one piece, it depends on the network only and is factorized once. In single precision:
+/// it is an approximation anyway, and its time goes with the memory it takes.
 class BondLaplacian {
  public:
   /// @param fixed  atoms that do not move
@@ -27,9 +29,9 @@ class BondLaplacian {
   void solve(Vector& forces) const;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
   bool has_pieces_;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+  Eigen::SparseMatrix<float> factor_;  // lower triangle; diagonals first in its columns
+  std::vector<Eigen::Index> place_;    // of each atom in it
 };
 
 }  // namespace trivalent::potentials::relax_detail
