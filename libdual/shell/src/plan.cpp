@@ -29,7 +29,7 @@ double seconds_of_net(double atoms, const remesh::RemeshMethod& method) {
     return atoms * paper->iterations * per_atom_and_iteration;
   }
   const auto& crystal = std::get<remesh::CrystalOptions>(method);
-  constexpr double per_vertex_and_round = 2.8e-6;
+  constexpr double per_vertex_and_round = 5e-6;
   constexpr double per_atom = 2e-4;  // the nets to start from, and the last relaxation
   return per_atom * atoms +
          per_vertex_and_round * remesh::annealing_work(0.5 * atoms, crystal.effort);
