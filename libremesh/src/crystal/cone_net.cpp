@@ -32,6 +32,9 @@ void sort_once(std::vector<int>& numbers) {
   numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
 }
 
+/// Centers of triangles are thirds of lattice vectors.
+constexpr std::int64_t thirds = 3;
+
 std::int64_t floor_of(std::int64_t a, std::int64_t b) {
   return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
@@ -220,6 +223,41 @@ ConeNet ConeNet::enlarged(int times) const {
   return larger;
 }
 
+/// Whether a large triangle is the one of all that a point counts for, which may lie on a side.
+///
+/// @param p  Three times as large.
+bool ConeNet::owns(int triangle, const LatticeVector& p) const {
+  for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+    const std::int64_t left = area_of(side(h), p - thirds * corner(h));
+    if (left < 0 || (left == 0 && h > opposite(h))) return false;
+  }
+  return true;
+}
+
+/// The triangles of the lattice whose centers a large one owns.
+std::vector<ConeNet::Small> ConeNet::triangles_in(int triangle) const {
+  const std::array<std::array<LatticeVector, 3>, 2> corners = {
+      {{LatticeVector(0, 0), LatticeVector(1, 0), LatticeVector(0, 1)},
+       {LatticeVector(1, 0), LatticeVector(1, 1), LatticeVector(0, 1)}}};
+  const LatticeVector a = corner(3 * triangle + 1);
+  const LatticeVector b = corner(3 * triangle + 2);
+  const LatticeVector low = a.cwiseMin(b).cwiseMin(LatticeVector::Zero());
+  const LatticeVector high = a.cwiseMax(b).cwiseMax(LatticeVector::Zero());
+  std::vector<Small> found;
+  for (std::int64_t y = low.y() - 1; y <= high.y(); ++y) {
+    for (std::int64_t x = low.x() - 1; x <= high.x(); ++x) {
+      const LatticeVector p(x, y);
+      for (std::size_t down = 0; down < 2; ++down) {
+        const auto third = static_cast<std::int64_t>(down + 1);
+        const LatticeVector center = thirds * p + LatticeVector(third, third);
+        const auto& [first, second, last] = corners[down];
+        if (owns(triangle, center)) found.push_back({center, {p + first, p + second, p + last}});
+      }
+    }
+  }
+  return found;
+}
+
 ConeNet::Net ConeNet::net() const {
   Net net;
   std::map<Key, int> number_at;
@@ -229,38 +267,15 @@ ConeNet::Net ConeNet::net() const {
     if (is_new) net.places.push_back(place);
     return entry->second;
   };
-  constexpr std::int64_t thirds = 3;
-  const std::array<std::array<LatticeVector, 3>, 2> corners = {
-      {{LatticeVector(0, 0), LatticeVector(1, 0), LatticeVector(0, 1)},
-       {LatticeVector(1, 0), LatticeVector(1, 1), LatticeVector(0, 1)}}};
   for (int t = 0; 3 * t < n_halfedges(); ++t) {
-    const auto owns = [&](const LatticeVector& p) {
-      for (int h = 3 * t; h < 3 * t + 3; ++h) {
-        const std::int64_t left = area_of(side(h), p - thirds * corner(h));
-        if (left < 0 || (left == 0 && h > opposite(h))) return false;
+    for (const auto& [center, corners] : triangles_in(t)) {
+      std::array<int, 3> triangle{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Place place = walk({t, center}, thirds * corners[k], thirds);
+        triangle[k] = number({place.triangle, place.at / thirds});
       }
-      return true;
-    };
-    const LatticeVector a = corner(3 * t + 1);
-    const LatticeVector b = corner(3 * t + 2);
-    const LatticeVector low = a.cwiseMin(b).cwiseMin(LatticeVector::Zero());
-    const LatticeVector high = a.cwiseMax(b).cwiseMax(LatticeVector::Zero());
-    for (std::int64_t y = low.y() - 1; y <= high.y(); ++y) {
-      for (std::int64_t x = low.x() - 1; x <= high.x(); ++x) {
-        for (std::size_t down = 0; down < 2; ++down) {
-          const auto third = static_cast<std::int64_t>(down + 1);
-          const LatticeVector center(thirds * x + third, thirds * y + third);
-          if (!owns(center)) continue;
-          std::array<int, 3> triangle{};
-          for (std::size_t k = 0; k < 3; ++k) {
-            const LatticeVector end = thirds * (LatticeVector(x, y) + corners[down][k]);
-            const Place place = walk({t, center}, end, thirds);
-            triangle[k] = number({place.triangle, place.at / thirds});
-          }
-          net.triangles.push_back(triangle);
-          net.first_edges.push_back({t, corners[down][1] - corners[down][0]});
-        }
-      }
+      net.triangles.push_back(triangle);
+      net.first_edges.push_back({t, corners[1] - corners[0]});
     }
   }
   return net;

@@ -116,6 +116,11 @@ class ConeNet {
     std::vector<int> sides;
     std::vector<int> triangles;
   };
+  /// A triangle of the lattice, in the frame of a large one.
+  struct Small {
+    LatticeVector center;  ///< three times as large
+    std::array<LatticeVector, 3> corners;
+  };
   /// Places that are equal have equal keys.
   using Key = std::array<std::int64_t, 3>;
 
@@ -126,6 +131,8 @@ class ConeNet {
   [[nodiscard]] Place across(int h, const LatticeVector& q, std::int64_t scale) const;
   [[nodiscard]] Place walk(Place from, LatticeVector to, std::int64_t scale) const;
   [[nodiscard]] Key key_of(const Place& place) const;
+  [[nodiscard]] bool owns(int triangle, const LatticeVector& p) const;
+  [[nodiscard]] std::vector<Small> triangles_in(int triangle) const;
   [[nodiscard]] Mean mean_of(const Place& place, std::int64_t scale) const;
 
   [[nodiscard]] Motion motion_of(int halfedge) const;
