@@ -29,7 +29,6 @@ namespace {
 constexpr double min_thickness = 1.5;
 /// [edges] that a vertex may be from its foot before another sheet is looked for.
 constexpr double free_sheet_reach = 1.5;
-
 constexpr int opening_steps = 100;
 constexpr int closing_steps = 400;
 constexpr int springing_sweeps = 60;  // of a net carried over from another surface
@@ -240,6 +239,7 @@ class MembraneSearch {
   /// @return  All orders if they are to be judged, else that of least energy.
   std::vector<Order> orders(Level level) {
     if (is_judged()) level.max_orders = max_judged_orders;
+    if (!net_.on_surface.curves().empty()) level.vertex_rounds = level.vertex_rounds_with_curves;
     if (membranes_.ends_in_tubes()) {
       level.max_orders = orders_of_tubes;
       level.max_rounds *= effort_of_tubes;
